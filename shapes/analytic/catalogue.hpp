@@ -12,13 +12,15 @@
 namespace gridstep {
 
 template <int d>
-using ShapeFactory = std::function<std::unique_ptr<Shape<d>>(const ParameterValues&, const RealPoint<d>& centre)>;
+using ShapeFactory =
+    std::function<std::unique_ptr<Shape<d>>(const ParameterValues&, const RealPoint<d>& centre)>;
 
 /// A line of the catalogue: what `gridstep list shapes` shows and how a shape is made.
 struct ShapeEntry {
   std::string name;
-  std::string summary;                ///< the defining equation, in the letters of `parameters`
-  std::vector<Parameter> parameters;  ///< without the centre (cx, cy, cz), which the catalogue adds to every shape
+  std::string summary;  ///< the defining equation, in the letters of `parameters`
+  std::vector<Parameter>
+      parameters;  ///< without the centre (cx, cy, cz), which the catalogue adds to every shape
   std::variant<ShapeFactory<2>, ShapeFactory<3>> make;
 
   int dimension() const { return make.index() == 0 ? 2 : 3; }

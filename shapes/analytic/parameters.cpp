@@ -72,7 +72,8 @@ ShapeSpec ShapeSpec::parse(const std::string& text) {
     const std::optional<double> number = wants_text ? std::nullopt : parse_number(value);
     if (!wants_text && !number)
       throw InputError(fmt::format("shape '{}': {} = '{}' is not a number", text, name, value));
-    const bool is_new = wants_text ? spec.values.emplace(name, value).second : spec.values.emplace(name, *number).second;
+    const bool is_new =
+        wants_text ? spec.values.emplace(name, value).second : spec.values.emplace(name, *number).second;
     if (!is_new) throw InputError(fmt::format("shape '{}': {} is given twice", text, name));
   }
   return spec;
@@ -90,7 +91,8 @@ ShapeSpec ShapeSpec::parse(const nlohmann::json& object) {
     else if (value.is_string())
       spec.values.emplace(key, value.get<std::string>());
     else
-      throw InputError(fmt::format("shape '{}': {} = {} is neither a number nor a text", spec.name, key, value.dump()));
+      throw InputError(
+          fmt::format("shape '{}': {} = {} is neither a number nor a text", spec.name, key, value.dump()));
   }
   return spec;
 }
@@ -108,7 +110,8 @@ std::string ShapeSpec::canonical() const {
   return result;
 }
 
-ParameterValues::ParameterValues(const ShapeSpec& spec, const std::vector<Parameter>& parameters) : shape_(spec.name) {
+ParameterValues::ParameterValues(const ShapeSpec& spec, const std::vector<Parameter>& parameters)
+    : shape_(spec.name) {
   for (const auto& [name, value] : spec.values) {
     const Parameter* parameter = find_parameter(parameters, name);
     if (!parameter) {
@@ -128,7 +131,9 @@ ParameterValues::ParameterValues(const ShapeSpec& spec, const std::vector<Parame
   for (const Parameter& parameter : parameters) values_.emplace(parameter.name, parameter.default_value);
 }
 
-double ParameterValues::operator[](const std::string& name) const { return std::get<double>(values_.at(name)); }
+double ParameterValues::operator[](const std::string& name) const {
+  return std::get<double>(values_.at(name));
+}
 
 const std::string& ParameterValues::text(const std::string& name) const {
   return std::get<std::string>(values_.at(name));

@@ -51,13 +51,15 @@ struct ShapeSpec {
 /// The complete, validated values from which a shape is made.
 class ParameterValues {
  public:
-  /// Fills in defaults. @throws InputError naming the shape, the parameter and the value that is unknown or invalid.
+  /// Fills in defaults. @throws InputError naming the shape, the parameter and the value that is unknown or
+  /// invalid.
   ParameterValues(const ShapeSpec& spec, const std::vector<Parameter>& parameters);
 
   double operator[](const std::string& name) const;
   const std::string& text(const std::string& name) const;
 
-  /// For conditions between parameters: throws InputError "shape: what" with the values of the parameters named.
+  /// For conditions between parameters: throws InputError "shape: what" with the values of the parameters
+  /// named.
   void require(bool holds, const std::string& what) const;
 
  private:

@@ -16,9 +16,11 @@ template <int d>
 struct BoundaryPoint {
   RealPoint<d> position;
   RealPoint<d> normal;  ///< unit, outwards
-  /// Principal curvatures in 1/length, descending, positive where the shape is convex: {kappa} in 2D, {k1, k2} in 3D.
+  /// Principal curvatures in 1/length, descending, positive where the shape is convex: {kappa} in 2D, {k1,
+  /// k2} in 3D.
   std::array<double, d - 1> curvature;
-  /// Unit principal directions, in the order of `curvature`, signs arbitrary; in 2D the tangent, shape on its left.
+  /// Unit principal directions, in the order of `curvature`, signs arbitrary; in 2D the tangent, shape on its
+  /// left.
   std::array<RealPoint<d>, d - 1> direction;
   double distance;  ///< from the query to `position`
   /// Largest of: distance of `position` to the boundary (to first order), and the tangential part of
@@ -28,8 +30,8 @@ struct BoundaryPoint {
 
 /// The analytic shape: the answer key of every experiment, never shown to an estimator.
 ///
-/// A shape is a closed bounded region, here given around the origin and moved to `centre`. Derived classes describe
-/// the centred shape in the local_* functions; all functions are const and thread-safe.
+/// A shape is a closed bounded region, here given around the origin and moved to `centre`. Derived classes
+/// describe the centred shape in the local_* functions; all functions are const and thread-safe.
 template <int d>
 class Shape : public Region<d> {
  public:
@@ -39,7 +41,9 @@ class Shape : public Region<d> {
     const RealBox<d> box = local_bounds();
     return {box.min() + centre_, box.max() + centre_};
   }
-  Side side(const RealBox<d>& box) const final { return local_side({box.min() - centre_, box.max() - centre_}); }
+  Side side(const RealBox<d>& box) const final {
+    return local_side({box.min() - centre_, box.max() - centre_});
+  }
   std::uint64_t inside(std::span<const RealPoint<d>> points) const final {
     expects(points.size() <= 64, "at most 64 points");
     std::array<RealPoint<d>, 64> local;
@@ -50,8 +54,9 @@ class Shape : public Region<d> {
   /// The length to which residuals are relative: half the diagonal of the bounding box.
   double size() const { return local_bounds().diagonal().norm() / 2; }
 
-  /// The boundary point closest to `query`, certified: on the boundary, query - position parallel to the normal, a
-  /// local minimum of the distance (1 + s k_i > 0 at signed distance s, positive outside), at most `within` away.
+  /// The boundary point closest to `query`, certified: on the boundary, query - position parallel to the
+  /// normal, a local minimum of the distance (1 + s k_i > 0 at signed distance s, positive outside), at most
+  /// `within` away.
   /// @return nothing where the closest point is singular (corner, edge, cusp): curvature is undefined there.
   /// @throws UncertifiedProjection where no such point is found or one of the checks fails.
   std::optional<BoundaryPoint<d>> project(const RealPoint<d>& query, EuclideanLength within) const;

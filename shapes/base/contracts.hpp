@@ -11,7 +11,8 @@ class ContractViolation : public std::logic_error {
   using std::logic_error::logic_error;
 };
 
-/// Something outside the program is wrong (an option, a file, a parameter); the message names it and its value.
+/// Something outside the program is wrong (an option, a file, a parameter); the message names it and its
+/// value.
 class InputError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -4,17 +4,22 @@
 
 namespace gridstep {
 
-/// Interval arithmetic in round-to-nearest. Since +, -, * and sqrt are monotone under rounding, the interval value
-/// of an expression contains every value that the same expression, evaluated in the same order, takes in doubles
-/// on the interval's points: what digitization needs is the sign of the *computed* predicate, not of the exact one.
-/// This holds for expressions without division by an interval and without contraction into fused operations.
+/// Interval arithmetic in round-to-nearest. Since +, -, * and sqrt are monotone under rounding, the interval
+/// value of an expression contains every value that the same expression, evaluated in the same order, takes
+/// in doubles on the interval's points: what digitization needs is the sign of the *computed* predicate, not
+/// of the exact one. This holds for expressions without division by an interval and without contraction into
+/// fused operations.
 using Interval = boost::numeric::interval<
     double, boost::numeric::interval_lib::policies<boost::numeric::interval_lib::rounded_arith_exact<double>,
                                                    boost::numeric::interval_lib::checking_base<double>>>;
 
 /// x * x, with the tight bound for intervals.
-inline double square(double x) { return x * x; }
-inline Interval square(const Interval& x) { return boost::numeric::square(x); }
+inline double square(double x) {
+  return x * x;
+}
+inline Interval square(const Interval& x) {
+  return boost::numeric::square(x);
+}
 
 /// x^n by repeated multiplication, in the same order for doubles and for intervals; n >= 0.
 template <class Scalar>

@@ -34,7 +34,21 @@ struct LatticeBox {
   }
 };
 
-/// Lexicographic order, last coordinate slowest: the order in which digital points are listed everywhere.
+/// Calls visit(z) for every point of the box in raster order.
+template <int d, class Visit>
+void for_each_point(const LatticeBox<d>& box, Visit visit) {
+  if (box.empty()) return;
+  LatticePoint<d> z = box.lo;
+  while (true) {
+    for (z[0] = box.lo[0]; z[0] <= box.hi[0]; ++z[0]) visit(static_cast<const LatticePoint<d>&>(z));
+    int axis = 1;
+    for (; axis < d && z[axis] == box.hi[axis]; ++axis) z[axis] = box.lo[axis];
+    if (axis == d) return;
+    ++z[axis];
+  }
+}
+
+/// Raster order: the last coordinate counts first.
 template <int d>
 bool raster_less(const LatticePoint<d>& a, const LatticePoint<d>& b) {
   for (int k = d - 1; k > 0; --k)

@@ -39,7 +39,8 @@ RealPoint<d> random_shift(RandomStream& random) {
   return shift;
 }
 
-/// Uniform over all rotations: a uniform angle in 2D, a uniform unit quaternion in 3D [Shoemake, Graphics Gems III].
+/// Uniform over all rotations: a uniform angle in 2D, a uniform unit quaternion in 3D [Shoemake, Graphics
+/// Gems III].
 template <int d>
 Eigen::Matrix<double, d, d> random_rotation(RandomStream& random) {
   if constexpr (d == 2) {
@@ -74,8 +75,8 @@ class PlacedRegion final : public Region<d> {
   }
 
  private:
-  /// A box around the image of a box. A translation is monotone under rounding; a rotation is not, so its image is
-  /// widened by far more than the rounding of one matrix product.
+  /// A box around the image of a box. A translation is monotone under rounding; a rotation is not, so its
+  /// image is widened by far more than the rounding of one matrix product.
   template <class Motion>
   RealBox<d> image(const RealBox<d>& box, Motion motion) const {
     if (!placement_.rotated()) return {motion(box.min()), motion(box.max())};

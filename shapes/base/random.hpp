@@ -5,11 +5,12 @@
 
 namespace gridstep {
 
-/// SplitMix64 [Steele, Lea, Flood, OOPSLA 2014, fig. 16]: small, fast, and the same on every platform, which the
-/// distributions of <random> are not.
+/// SplitMix64 [Steele, Lea, Flood, OOPSLA 2014, fig. 16]: small, fast, and the same on every platform, which
+/// the distributions of <random> are not.
 class RandomStream {
  public:
-  /// The stream of a seed and any further integers that name a place in an experiment (a step, a shift, a cell).
+  /// The stream of a seed and any further integers that name a place in an experiment (a step, a shift, a
+  /// cell).
   explicit RandomStream(std::initializer_list<std::uint64_t> key) {
     for (const std::uint64_t part : key) state_ = bits() ^ part;
   }

@@ -14,7 +14,8 @@ using RealBox = Eigen::AlignedBox<double, d>;
 /// Where a box lies with respect to a region. `crossing` also stands for "not decided".
 enum class Side { inside, outside, crossing };
 
-/// A closed bounded region of R^d, as far as digitization needs to know it. Thread-safe: all members are const.
+/// A closed bounded region of R^d, as far as digitization needs to know it. Thread-safe: all members are
+/// const.
 template <int d>
 class Region {
  public:

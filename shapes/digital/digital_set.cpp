@@ -1,0 +1,150 @@
+#include "shapes/digital/digital_set.hpp"
+
+#include <fmt/format.h>
+
+namespace gridstep {
+
+namespace {
+
+template <int d>
+constexpr int kBricksInPage = 1 << (d * DigitalSet<d>::kPageShift);
+
+}  // namespace
+
+template <int d>
+DigitalSet<d>::DigitalSet(const LatticeBox<d>& domain) {
+  expects(!domain.empty(), "a domain that is not empty");
+  pages_ = {page_of(Brick<d>::of(domain.lo)), page_of(Brick<d>::of(domain.hi))};
+  const LatticePoint<d> behind = pages_.hi.array() + 1;
+  domain_ = {Brick<d>::origin(pages_.lo * kPageSide), Brick<d>::origin(behind * kPageSide).array() - 1};
+  if (pages_.volume() >= 0x1p31)
+    throw InputError(fmt::format("a grid of {:.3g} points is too large to index", domain_.volume()));
+  top_.assign(std::size_t(pages_.volume()), kEmpty);
+}
+
+template <int d>
+LatticeBox<d> DigitalSet<d>::brick_box() const {
+  return {Brick<d>::of(domain_.lo), Brick<d>::of(domain_.hi)};
+}
+
+template <int d>
+LatticePoint<d> DigitalSet<d>::page_of(const LatticePoint<d>& brick) {
+  LatticePoint<d> page;
+  for (int k = 0; k < d; ++k) page[k] = brick[k] >> kPageShift;
+  return page;
+}
+
+template <int d>
+std::int64_t DigitalSet<d>::page_index(const LatticePoint<d>& page) const {
+  if (!pages_.contains(page)) return -1;
+  std::int64_t index = 0;
+  for (int k = d - 1; k >= 0; --k)
+    index = index * (pages_.hi[k] - pages_.lo[k] + 1) + (page[k] - pages_.lo[k]);
+  return index;
+}
+
+template <int d>
+int DigitalSet<d>::index_in_page(const LatticePoint<d>& brick) {
+  int index = 0;
+  for (int k = d - 1; k >= 0; --k) index = (index << kPageShift) | (brick[k] & (kPageSide - 1));
+  return index;
+}
+
+template <int d>
+std::int32_t DigitalSet<d>::page_state(const LatticePoint<d>& page) const {
+  const std::int64_t index = page_index(page);
+  return index < 0 ? kEmpty : top_[std::size_t(index)];
+}
+
+template <int d>
+std::int32_t DigitalSet<d>::state(const LatticePoint<d>& brick) const {
+  const std::int32_t page = page_state(page_of(brick));
+  return page < 0 ? page : slots_[std::size_t(page) * kBricksInPage<d> + std::size_t(index_in_page(brick))];
+}
+
+template <int d>
+Brick<d> DigitalSet<d>::brick(const LatticePoint<d>& brick) const {
+  const std::int32_t s = state(brick);
+  return s == kEmpty ? Brick<d>{} : s == kFull ? Brick<d>::full() : bricks_[std::size_t(s)];
+}
+
+template <int d>
+bool DigitalSet<d>::contains(const LatticePoint<d>& z) const {
+  const std::int32_t s = state(Brick<d>::of(z));
+  return s < 0 ? s == kFull : bricks_[std::size_t(s)].test(Brick<d>::bit(z));
+}
+
+template <int d>
+std::int32_t& DigitalSet<d>::slot(const LatticePoint<d>& brick) {
+  const std::int64_t index = page_index(page_of(brick));
+  expects(index >= 0, "a brick inside the domain");
+  std::int32_t& page = top_[std::size_t(index)];
+  if (page < 0) {
+    const std::int32_t uniform = page;
+    page = std::int32_t(slots_.size() / kBricksInPage<d>);
+    slots_.resize(slots_.size() + kBricksInPage<d>, uniform);
+  }
+  return slots_[std::size_t(page) * kBricksInPage<d> + std::size_t(index_in_page(brick))];
+}
+
+template <int d>
+void DigitalSet<d>::set_brick(const LatticePoint<d>& brick, const Brick<d>& bits) {
+  std::int32_t& s = slot(brick);
+  const int count = bits.count();
+  if (s >= 0)
+    bricks_[std::size_t(s)] = bits;  // keeps its place, even where it became uniform
+  else if (count == 0 || count == Brick<d>::kBits)
+    s = count == 0 ? kEmpty : kFull;
+  else {
+    s = std::int32_t(bricks_.size());
+    bricks_.push_back(bits);
+  }
+}
+
+template <int d>
+void DigitalSet<d>::set_page(const LatticePoint<d>& page, std::int32_t state) {
+  expects(state == kEmpty || state == kFull, "a uniform page");
+  const std::int64_t index = page_index(page);
+  expects(index >= 0 && top_[std::size_t(index)] < 0, "a page inside the domain that is not stored");
+  top_[std::size_t(index)] = state;
+}
+
+template <int d>
+void DigitalSet<d>::set(const LatticePoint<d>& z, bool value) {
+  const LatticePoint<d> b = Brick<d>::of(z);
+  Brick<d> bits = brick(b);
+  bits.set(Brick<d>::bit(z), value);
+  set_brick(b, bits);
+}
+
+template <int d>
+std::int64_t DigitalSet<d>::size() const {
+  std::int64_t result = 0;
+  for (const std::int32_t page : top_)
+    if (page == kFull) result += std::int64_t{kBricksInPage<d>} * Brick<d>::kBits;
+  for (const std::int32_t s : slots_)
+    if (s == kFull) result += Brick<d>::kBits;
+  for (const Brick<d>& brick : bricks_) result += brick.count();
+  return result;
+}
+
+template <int d>
+std::size_t DigitalSet<d>::memory() const {
+  return (top_.capacity() + slots_.capacity()) * sizeof(std::int32_t) + bricks_.capacity() * sizeof(Brick<d>);
+}
+
+template <int d>
+DigitalSet<d> complement(const DigitalSet<d>& set, const LatticeBox<d>& box) {
+  DigitalSet<d> result(box);
+  for_each_point(box, [&](const LatticePoint<d>& z) {
+    if (!set.contains(z)) result.set(z, true);
+  });
+  return result;
+}
+
+template class DigitalSet<2>;
+template class DigitalSet<3>;
+template DigitalSet<2> complement(const DigitalSet<2>&, const LatticeBox<2>&);
+template DigitalSet<3> complement(const DigitalSet<3>&, const LatticeBox<3>&);
+
+}  // namespace gridstep
