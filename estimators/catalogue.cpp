@@ -1,0 +1,56 @@
+#include "estimators/catalogue.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "shapes/base/contracts.hpp"
+
+namespace gridstep {
+
+#define GRIDSTEP_ESTIMATOR(id) EstimatorEntry describe_##id();
+#include "estimators/catalogue.inc"
+#undef GRIDSTEP_ESTIMATOR
+
+const std::vector<double>& Estimates::operator[](const std::string& quantity) const {
+  const auto found = std::find(quantities.begin(), quantities.end(), quantity);
+  expects(found != quantities.end(), "a quantity of this estimator");
+  return columns[std::size_t(found - quantities.begin())];
+}
+
+KernelCentre parse_kernel_centre(const std::string& name) {
+  if (name == "spels") return KernelCentre::spels;
+  if (name == "surfel") return KernelCentre::surfel;
+  throw InputError(fmt::format("unknown kernel centre '{}'; known: spels, surfel", name));
+}
+
+template <>
+const EstimatorEntry::Variant<2>& EstimatorEntry::variant<2>() const {
+  if (!in_2d) throw InputError(fmt::format("estimator '{}' has no 2D form", name));
+  return *in_2d;
+}
+
+template <>
+const EstimatorEntry::Variant<3>& EstimatorEntry::variant<3>() const {
+  if (!in_3d) throw InputError(fmt::format("estimator '{}' has no 3D form", name));
+  return *in_3d;
+}
+
+const std::vector<EstimatorEntry>& estimator_catalogue() {
+  static const std::vector<EstimatorEntry> entries{
+#define GRIDSTEP_ESTIMATOR(id) describe_##id(),
+#include "estimators/catalogue.inc"
+#undef GRIDSTEP_ESTIMATOR
+  };
+  return entries;
+}
+
+const EstimatorEntry& find_estimator(const std::string& name) {
+  for (const EstimatorEntry& entry : estimator_catalogue())
+    if (entry.name == name) return entry;
+  std::string known;
+  for (const EstimatorEntry& entry : estimator_catalogue()) known += (known.empty() ? "" : ", ") + entry.name;
+  throw InputError(fmt::format("unknown estimator '{}'; known: {}", name, known));
+}
+
+}  // namespace gridstep

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "estimators/estimator.hpp"
+#include "estimators/integral_invariant/convolution.hpp"
+
+namespace gridstep {
+
+/// Where the kernel is centred: the value at a surfel is the mean of the sums at its two spels (the
+/// convention of the DGtal library), or comes from one sum around the surfel's own centre.
+enum class KernelCentre { spels, surfel };
+
+/// @throws InputError naming an unknown centre and listing the known ones.
+KernelCentre parse_kernel_centre(const std::string& name);
+
+struct EstimatorOptions {
+  Evaluation evaluation = Evaluation::masks;
+  KernelCentre centre = KernelCentre::spels;
+};
+
+/// What a quantity is, for tables and for the comparison with the truth.
+struct Quantity {
+  std::string name;  ///< a column: kappa, mean, gaussian, k1, k2, normal_x, ...
+  /// Exponent p of the proven bound O(h^p) of its sup error, where there is one, with R = k h^(1/3).
+  std::optional<double> proven_rate;
+};
+
+template <int d>
+using EstimatorFactory =
+    std::function<std::unique_ptr<Estimator<d>>(const DigitalSet<d>& set, const EstimatorOptions& options)>;
+
+/// A line of the catalogue. An estimator may exist in one dimension or in both, with different quantities.
+struct EstimatorEntry {
+  template <int d>
+  struct Variant {
+    std::vector<Quantity> quantities;
+    EstimatorFactory<d> make;
+  };
+  std::string name;
+  std::string summary;
+  std::optional<Variant<2>> in_2d;
+  std::optional<Variant<3>> in_3d;
+
+  /// @throws InputError where the estimator does not exist in dimension d.
+  template <int d>
+  const Variant<d>& variant() const;
+};
+
+/// All estimators, in the order of estimators/catalogue.inc.
+const std::vector<EstimatorEntry>& estimator_catalogue();
+
+/// @throws InputError naming an unknown estimator and listing the known ones.
+const EstimatorEntry& find_estimator(const std::string& name);
+
+}  // namespace gridstep

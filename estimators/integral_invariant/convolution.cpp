@@ -1,0 +1,19 @@
+#include "estimators/integral_invariant/convolution.hpp"
+
+#include <fmt/format.h>
+
+#include "shapes/base/contracts.hpp"
+
+namespace gridstep {
+
+Evaluation parse_evaluation(const std::string& name) {
+  if (name == "full") return Evaluation::full;
+  if (name == "masks") return Evaluation::masks;
+  throw InputError(fmt::format("unknown evaluation '{}'; known: full, masks", name));
+}
+
+std::string to_string(Evaluation evaluation) {
+  return evaluation == Evaluation::full ? "full" : "masks";
+}
+
+}  // namespace gridstep

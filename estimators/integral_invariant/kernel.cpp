@@ -1,0 +1,33 @@
+#include "estimators/integral_invariant/kernel.hpp"
+
+#include <fmt/format.h>
+
+namespace gridstep {
+
+template <int d>
+Kernel<d, std::int64_t> ball_kernel(DigitalLength radius, int half_axis) {
+  const double r = radius.value;
+  if (!(r >= 1 && std::isfinite(r)))
+    throw InputError(fmt::format("kernel radius R/h = {:.6g}: must be at least 1 cell", r));
+  const int reach = int(std::ceil(r)) + 1;
+
+  // In half cells, so that the centre of a surfel has integer coordinates too.
+  const auto limit = std::int64_t(std::floor(4 * r * r * (1 + 1e-12)));
+  Kernel<d, std::int64_t> kernel;
+  for_each_point(LatticeBox<d>{LatticePoint<d>::Constant(-reach), LatticePoint<d>::Constant(reach)},
+                 [&](const LatticePoint<d>& z) {
+                   std::int64_t squared = 0;
+                   for (int k = 0; k < d; ++k) {
+                     const std::int64_t x = 2 * std::int64_t{z[k]} - (k == half_axis);
+                     squared += x * x;
+                   }
+                   if (squared <= limit) kernel.offsets.push_back(z);
+                 });
+  kernel.groups = {{1, 0, kernel.size()}};
+  return kernel;
+}
+
+template Kernel<2, std::int64_t> ball_kernel<2>(DigitalLength, int);
+template Kernel<3, std::int64_t> ball_kernel<3>(DigitalLength, int);
+
+}  // namespace gridstep

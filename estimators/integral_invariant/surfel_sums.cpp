@@ -1,0 +1,100 @@
+#include "estimators/integral_invariant/surfel_sums.hpp"
+
+#include <algorithm>
+
+#include "estimators/integral_invariant/indicator.hpp"
+
+namespace gridstep {
+
+namespace {
+
+/// Distinct points, and for each request the position of its point among them.
+template <int d>
+struct DistinctPoints {
+  std::vector<LatticePoint<d>> points;
+
+  explicit DistinctPoints(std::vector<LatticePoint<d>> all) : points(std::move(all)) {
+    std::sort(points.begin(), points.end(), raster_less<d>);
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+  }
+  std::size_t position(const LatticePoint<d>& z) const {
+    return std::size_t(std::lower_bound(points.begin(), points.end(), z, raster_less<d>) - points.begin());
+  }
+};
+
+/// The spel from which the offsets of a surfel-centred kernel are taken.
+template <int d>
+LatticePoint<d> lower_spel(const Surfel<d>& surfel) {
+  return surfel.sign > 0 ? surfel.inner : surfel.outer();
+}
+
+}  // namespace
+
+template <int d, class Sum>
+void SurfelSums<d, Sum>::init(GridStep h, EuclideanLength R) {
+  const DigitalLength radius = to_digital(R, h);
+  kernels_.clear();
+  work_ = {};
+  const bool on_surfels = options_.centre == KernelCentre::surfel;
+  for (int axis = on_surfels ? 0 : -1; axis < (on_surfels ? d : 0); ++axis) {
+    Kernels kernels{ball_kernel<d>(radius, axis), {}};
+    if (options_.evaluation == Evaluation::masks) {
+      kernels.masks.emplace(kernels.kernel);
+      for (const LatticePoint<d>& step : DisplacementMasks<d, std::int64_t>::steps())
+        work_.mask_cells += std::int64_t((*kernels.masks)[step].size());
+    }
+    work_.kernel_size = std::int64_t(kernels.kernel.size());
+    kernels_.push_back(std::move(kernels));
+  }
+}
+
+template <int d, class Sum>
+std::vector<Sum> SurfelSums<d, Sum>::convolve_at(const Kernels& kernels,
+                                                 std::span<const LatticePoint<d>> points) {
+  EvaluationWork work;
+  auto sums = convolve<Sum>(Indicator<d>(set_), kernels.kernel, kernels.masks ? &*kernels.masks : nullptr,
+                            points, &work);
+  work_.evaluations += work.points;
+  work_.cells_visited += work.cells_visited;
+  work_.restarts += work.restarts;
+  return sums;
+}
+
+template <int d, class Sum>
+std::vector<typename SurfelSums<d, Sum>::Pair> SurfelSums<d, Sum>::eval(std::span<const Surfel<d>> surfels) {
+  expects(!kernels_.empty(), "init() before eval()");
+  work_.evaluations = work_.cells_visited = work_.restarts = 0;
+  std::vector<Pair> result(surfels.size());
+  if (options_.centre == KernelCentre::spels) {
+    std::vector<LatticePoint<d>> spels;
+    spels.reserve(2 * surfels.size());
+    for (const Surfel<d>& surfel : surfels) {
+      spels.push_back(surfel.inner);
+      spels.push_back(surfel.outer());
+    }
+    const DistinctPoints<d> distinct(std::move(spels));
+    const std::vector<Sum> sums = convolve_at(kernels_.front(), distinct.points);
+    for (std::size_t i = 0; i < surfels.size(); ++i)
+      result[i] = {sums[distinct.position(surfels[i].inner)], sums[distinct.position(surfels[i].outer())]};
+    return result;
+  }
+  for (int axis = 0; axis < d; ++axis) {
+    std::vector<LatticePoint<d>> spels;
+    for (const Surfel<d>& surfel : surfels)
+      if (surfel.axis == axis) spels.push_back(lower_spel(surfel));
+    const DistinctPoints<d> distinct(std::move(spels));
+    const std::vector<Sum> sums = convolve_at(kernels_[std::size_t(axis)], distinct.points);
+    for (std::size_t i = 0; i < surfels.size(); ++i) {
+      if (surfels[i].axis != axis) continue;
+      const Sum& sum = sums[distinct.position(lower_spel(surfels[i]))];
+      result[i] = {sum, sum};
+    }
+  }
+  return result;
+}
+
+template class SurfelSums<2, PlainSum<2, std::int64_t>>;
+template class SurfelSums<3, PlainSum<3, std::int64_t>>;
+template class SurfelSums<3, MomentSums<3, std::int64_t>>;
+
+}  // namespace gridstep
