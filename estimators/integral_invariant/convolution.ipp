@@ -27,24 +27,21 @@ LinearOffsets<d, Weight> linear_offsets(const WindowLayout<d>& layout,
   return result;
 }
 
-template <int d, class Window, class Weight, class Accumulated>
-void accumulate(PlainSum<d, Accumulated>& sum, const Window& window, std::ptrdiff_t at,
-                const LinearOffsets<d, Weight>& linear) {
+template <int d, class Value, class Weight, class Accumulated>
+void accumulate(PlainSum<d, Accumulated>& sum, const Value* at, const LinearOffsets<d, Weight>& linear) {
   for (const auto& group : linear.offsets->groups) {
     PlainSum<d, Accumulated> part;
-    for (std::size_t i = group.begin; i < group.end; ++i) part.n += window[at + linear.distance[i]];
+    for (std::size_t i = group.begin; i < group.end; ++i) part.n += at[linear.distance[i]];
     sum.merge(part, Accumulated(group.weight));
   }
 }
 
-template <int d, class Window, class Weight, class Accumulated>
-void accumulate(MomentSums<d, Accumulated>& sum, const Window& window, std::ptrdiff_t at,
-                const LinearOffsets<d, Weight>& linear) {
+template <int d, class Value, class Weight, class Accumulated>
+void accumulate(MomentSums<d, Accumulated>& sum, const Value* at, const LinearOffsets<d, Weight>& linear) {
   for (const auto& group : linear.offsets->groups) {
     MomentSums<d, Accumulated> part;
     for (std::size_t i = group.begin; i < group.end; ++i)
-      if (const auto value = window[at + linear.distance[i]])
-        part.add(Accumulated(value), linear.offsets->offsets[i]);
+      if (const auto value = at[linear.distance[i]]) part.add(Accumulated(value), linear.offsets->offsets[i]);
     sum.merge(part, Accumulated(group.weight));
   }
 }
@@ -124,7 +121,7 @@ template <class Sum, int d, class ShapeFunctor, class Weight>
 std::vector<Sum> convolve(const ShapeFunctor& f, const Kernel<d, Weight>& kernel,
                           const DisplacementMasks<d, Weight>* masks, std::span<const LatticePoint<d>> points,
                           EvaluationWork* work) {
-  using Window = typename ShapeFunctor::Window;
+  using Value = typename ShapeFunctor::Value;
   int reach = 1;
   for (const LatticePoint<d>& z : kernel.offsets) reach = std::max(reach, z.cwiseAbs().maxCoeff());
   ++reach;  // a mask also reads the cells that the kernel leaves
@@ -133,9 +130,7 @@ std::vector<Sum> convolve(const ShapeFunctor& f, const Kernel<d, Weight>& kernel
   // restart for each block below one in a hundred points. A power of two.
   const int block_shift = std::max(d == 2 ? 8 : 5, int(std::bit_width(unsigned(reach - 1))) - 1);
   const int block_side = 1 << block_shift;
-  LatticePoint<d> margin = LatticePoint<d>::Constant(reach);
-  margin[0] = (reach + 7) / 8 * 8;
-  const WindowLayout<d> layout{2 * margin.array() + block_side};
+  const WindowLayout<d> layout{LatticePoint<d>::Constant(block_side + 2 * reach)};
   if (layout.volume() >= 0x1p31)
     throw InputError("the kernel radius is too large: its window would hold more than 2^31 cells");
   const auto linear_kernel = detail::linear_offsets(layout, kernel);
@@ -161,16 +156,15 @@ std::vector<Sum> convolve(const ShapeFunctor& f, const Kernel<d, Weight>& kernel
   block_begin.push_back(order.size());
 
   struct Scratch {
-    Window window;
+    std::vector<Value> window;
     std::vector<LatticePoint<d>> points;
 
     detail::AdjacencyWalk<d> walk;
     EvaluationWork work;
   };
   tbb::enumerable_thread_specific<Scratch> scratches([&] {
-    Scratch scratch{{}, {}, detail::AdjacencyWalk<d>(block_side), {}};
-    scratch.window.resize(std::size_t(layout.volume()));
-    return scratch;
+    return Scratch{
+        std::vector<Value>(std::size_t(layout.volume())), {}, detail::AdjacencyWalk<d>(block_side), {}};
   });
 
   std::vector<Sum> result(points.size());
@@ -180,21 +174,23 @@ std::vector<Sum> convolve(const ShapeFunctor& f, const Kernel<d, Weight>& kernel
     scratch.points.clear();
     for (const Member& member : members) scratch.points.push_back(points[member.point]);
     const LatticePoint<d> first = members.front().block * block_side;
-    const LatticePoint<d> window_first = first - margin;
+    const LatticePoint<d> window_first = first.array() - reach;
     f.fill({window_first, window_first + layout.extent - LatticePoint<d>::Ones()}, scratch.window);
-    const auto at = [&](const LatticePoint<d>& z) { return layout.distance(z - window_first); };
+    const auto at = [&](const LatticePoint<d>& z) {
+      return scratch.window.data() + layout.distance(z - window_first);
+    };
 
     scratch.work.points += std::int64_t(members.size());
     if (!masks) {
       for (std::size_t i = 0; i < members.size(); ++i)
-        detail::accumulate(result[members[i].point], scratch.window, at(scratch.points[i]), linear_kernel);
+        detail::accumulate(result[members[i].point], at(scratch.points[i]), linear_kernel);
       scratch.work.cells_visited += std::int64_t(members.size() * kernel.size());
       return;
     }
     for (const auto& [point, parent] : scratch.walk.template order<Weight>(scratch.points, first)) {
       Sum& sum = result[members[point].point];
       if (point == parent) {
-        detail::accumulate(sum, scratch.window, at(scratch.points[point]), linear_kernel);
+        detail::accumulate(sum, at(scratch.points[point]), linear_kernel);
         scratch.work.cells_visited += std::int64_t(kernel.size());
         ++scratch.work.restarts;
         continue;
@@ -203,7 +199,7 @@ std::vector<Sum> convolve(const ShapeFunctor& f, const Kernel<d, Weight>& kernel
       const auto& mask = linear_masks[masks->number(step)];
       sum = result[members[parent].point];
       sum.move(step);
-      detail::accumulate(sum, scratch.window, at(scratch.points[point]), mask);
+      detail::accumulate(sum, at(scratch.points[point]), mask);
       scratch.work.cells_visited += std::int64_t(mask.distance.size());
     }
   });

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <cstring>
+#include <span>
 
 #include "estimators/integral_invariant/window.hpp"
 #include "shapes/digital/digital_set.hpp"
@@ -11,13 +13,12 @@ namespace gridstep {
 template <int d>
 class Indicator {
  public:
-  using Window = ValueWindow<std::uint8_t>;
+  using Value = std::uint8_t;
 
   explicit Indicator(const DigitalSet<d>& set) : set_(set) {}
 
-  /// Writes f over the box; box.lo[0] and the extent along x are multiples of 8, so that rows are whole
-  /// bytes.
-  void fill(const LatticeBox<d>& box, Window& window) const {
+  /// values[i] becomes f at the i-th point of the box in raster order.
+  void fill(const LatticeBox<d>& box, std::span<Value> values) const {
     const WindowLayout<d> layout{box.extent()};
     for_each_point(LatticeBox<d>{Brick<d>::of(box.lo), Brick<d>::of(box.hi)}, [&](const LatticePoint<d>& b) {
       const std::int32_t state = set_.state(b);
@@ -30,7 +31,7 @@ class Indicator {
       row_starts.hi[0] = part.lo[0];
       const std::size_t length = std::size_t(part.hi[0] - part.lo[0] + 1);
       for_each_point(row_starts, [&](const LatticePoint<d>& z) {
-        std::uint8_t* const row = window.values.data() + layout.distance(z - box.lo);
+        Value* const row = values.data() + layout.distance(z - box.lo);
         if (state < 0) {
           std::memset(row, state == DigitalSet<d>::kFull, length);
           return;

@@ -1,0 +1,180 @@
+#include "shapes/analytic/formula.hpp"
+
+#include <fmt/format.h>
+
+#include <cctype>
+#include <charconv>
+#include <cmath>
+
+#include "shapes/base/contracts.hpp"
+
+namespace gridstep {
+
+namespace {
+
+constexpr int kMaxDegree = 64;
+constexpr int kMaxDepth = 200;  // of nested parentheses and signs: the parser recurses
+constexpr std::size_t kMaxOperations = 10000;
+
+}  // namespace
+
+/// Recursive descent; each rule returns the register of its value and the degree.
+class Formula::Parser {
+ public:
+  struct Term {
+    int reg;
+    int degree;
+  };
+
+  Parser(const std::string& text, Formula& formula) : text_(text), formula_(formula) {}
+
+  Term parse() {
+    const Term term = sum();
+    if (peek() != '\0') fail("an operator or the end");
+    return term;
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& expected) const {
+    throw InputError(
+        fmt::format("polynomial '{}': expected {} at character {}{}", text_, expected, at_ + 1,
+                    at_ < text_.size() ? fmt::format(", not '{}'", text_[at_]) : ", where it ends"));
+  }
+  char peek() {
+    while (at_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[at_]))) ++at_;
+    return at_ < text_.size() ? text_[at_] : '\0';
+  }
+  bool accept(char c) {
+    if (peek() != c) return false;
+    ++at_;
+    return true;
+  }
+  Term emit(Operation operation, int degree) {
+    if (degree > kMaxDegree) fail(fmt::format("a degree of at most {} before", kMaxDegree));
+    if (formula_.operations_.size() >= kMaxOperations)
+      fail(fmt::format("at most {} operations", kMaxOperations));
+    formula_.operations_.push_back(operation);
+    return {int(formula_.operations_.size()) - 1, degree};
+  }
+
+  Term sum() {
+    Term left = product();
+    while (true) {
+      const bool plus = accept('+');
+      if (!plus && !accept('-')) return left;
+      const Term right = product();
+      left = emit({plus ? Kind::sum : Kind::difference, left.reg, right.reg},
+                  std::max(left.degree, right.degree));
+    }
+  }
+  Term product() {
+    Term left = power();
+    while (true) {
+      if (accept('*')) {
+        const Term right = power();
+        left = emit({Kind::product, left.reg, right.reg}, left.degree + right.degree);
+      } else if (accept('/')) {
+        const double divisor = number("a number to divide by");
+        if (divisor == 0) fail("a divisor other than 0 before");
+        left = emit({Kind::scaled, left.reg, 0, 1 / divisor}, left.degree);
+      } else {
+        return left;
+      }
+    }
+  }
+  Term power() {
+    if (++depth_ > kMaxDepth) fail(fmt::format("at most {} nested parentheses and signs", kMaxDepth));
+    Term term;
+    if (accept('-')) {
+      const Term operand = power();
+      term = emit({Kind::scaled, operand.reg, 0, -1.0}, operand.degree);
+    } else if (accept('+')) {
+      term = power();
+    } else {
+      term = atom();
+      if (accept('^')) term = raised(term, exponent());
+    }
+    --depth_;
+    return term;
+  }
+  Term atom() {
+    const char c = peek();
+    if (c >= 'x' && c <= 'z') {
+      ++at_;
+      formula_.variables_ = std::max(formula_.variables_, c - 'x' + 1);
+      return emit({Kind::variable, c - 'x'}, 1);
+    }
+    if (accept('(')) {
+      const Term term = sum();
+      if (!accept(')')) fail("')'");
+      return term;
+    }
+    return emit({Kind::constant, 0, 0, number("a number, x, y, z or '('")}, 0);
+  }
+  double number(const char* what) {
+    peek();
+    double value = 0;
+    const auto [end, error] = std::from_chars(text_.data() + at_, text_.data() + text_.size(), value);
+    if (error != std::errc() || !std::isfinite(value)) fail(what);
+    at_ = std::size_t(end - text_.data());
+    return value;
+  }
+  int exponent() {
+    peek();
+    int value = -1;
+    const auto [end, error] = std::from_chars(text_.data() + at_, text_.data() + text_.size(), value);
+    if (error != std::errc() || value < 0 || value > kMaxDegree)
+      fail(fmt::format("an exponent 0 .. {}", kMaxDegree));
+    at_ = std::size_t(end - text_.data());
+    return value;
+  }
+  /// By repeated squaring, which intervals bound tightly.
+  Term raised(Term base, int n) {
+    if (n == 0) return emit({Kind::constant, 0, 0, 1.0}, 0);
+    if (n == 1) return base;
+    const Term half = raised(base, n / 2);
+    const Term even = emit({Kind::square, half.reg}, 2 * half.degree);
+    return n % 2 == 0 ? even : emit({Kind::product, even.reg, base.reg}, even.degree + base.degree);
+  }
+
+  const std::string& text_;
+  Formula& formula_;
+  std::size_t at_ = 0;
+  int depth_ = 0;
+};
+
+Formula::Formula(const std::string& text) : text_(text) {
+  degree_ = Parser(text_, *this).parse().degree;
+}
+
+double Formula::magnitude(std::span<const double> magnitudes) const {
+  std::vector<double> r(operations_.size());
+  for (std::size_t i = 0; i < operations_.size(); ++i) {
+    const Operation& o = operations_[i];
+    const auto left = std::size_t(o.left), right = std::size_t(o.right);
+    switch (o.kind) {
+      case Kind::constant:
+        r[i] = std::abs(o.number);
+        break;
+      case Kind::variable:
+        r[i] = magnitudes[left];
+        break;
+      case Kind::sum:
+      case Kind::difference:
+        r[i] = r[left] + r[right];
+        break;
+      case Kind::product:
+        r[i] = r[left] * r[right];
+        break;
+      case Kind::scaled:
+        r[i] = r[left] * std::abs(o.number);
+        break;
+      case Kind::square:
+        r[i] = r[left] * r[left];
+        break;
+    }
+  }
+  return r.back();
+}
+
+}  // namespace gridstep

@@ -1,0 +1,446 @@
+#include "shapes/analytic/implicit_shape.hpp"
+
+#include <fmt/format.h>
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace gridstep {
+
+template <int d>
+ImplicitShape<d>::ImplicitShape(const RealPoint<d>& centre, Formula formula, const RealBox<d>& box, bool cut)
+    : Shape<d>(centre), formula_(std::move(formula)), box_(box), cut_(cut), size_(box.diagonal().norm() / 2) {
+  expects(formula_.variables() <= d, "a formula in the variables of the space");
+  const RealPoint<d> far = 2 * box_.min().cwiseAbs().cwiseMax(box_.max().cwiseAbs());
+  rounding_ = 1e-13 * formula_.magnitude({far.data(), d});
+}
+
+template <int d>
+double ImplicitShape<d>::value(const RealPoint<d>& p) const {
+  return formula_(std::span<const double>(p.data(), d));
+}
+
+template <int d>
+Jet2<d> ImplicitShape<d>::jet(const RealPoint<d>& p) const {
+  std::array<Jet2<d>, d> variables;
+  for (int k = 0; k < d; ++k) variables[k] = Jet2<d>::variable(p[k], k);
+  return formula_(std::span<const Jet2<d>>(variables));
+}
+
+template <int d>
+std::uint64_t ImplicitShape<d>::local_inside(std::span<const RealPoint<d>> points) const {
+  using Lanes = Eigen::Array<double, 8, 1>;
+  std::uint64_t result = 0;
+  for (std::size_t first = 0; first < points.size(); first += 8) {
+    const std::size_t count = std::min<std::size_t>(8, points.size() - first);
+    std::array<Lanes, d> variables;
+    for (std::size_t i = 0; i < 8; ++i)
+      for (int k = 0; k < d; ++k) variables[k][Eigen::Index(i)] = points[first + std::min(i, count - 1)][k];
+    const Lanes f = formula_(std::span<const Lanes>(variables));
+    for (std::size_t i = 0; i < count; ++i)
+      result |= std::uint64_t(f[Eigen::Index(i)] <= 0 && (!cut_ || box_.contains(points[first + i])))
+                << (first + i);
+  }
+  return result;
+}
+
+template <int d>
+Side ImplicitShape<d>::local_side(const RealBox<d>& box) const {
+  const bool in_box = box_.contains(box);
+  if (cut_ && !in_box && !box_.intersects(box)) return Side::outside;
+  const auto decide = [&](double lower, double upper) {
+    if (lower > 0) return Side::outside;
+    if (upper <= 0 && (!cut_ || in_box)) return Side::inside;
+    return Side::crossing;
+  };
+  // The natural extension needs no slack: doubles and intervals are rounded alike.
+  std::array<Interval, d> variables;
+  for (int k = 0; k < d; ++k) variables[k] = Interval(box.min()[k], box.max()[k]);
+  const Interval natural = formula_(std::span<const Interval>(variables));
+  const Side first = decide(natural.lower(), natural.upper());
+  const RealPoint<d> far = box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs());
+  if (first != Side::crossing ||
+      (far.array() > 2 * box_.max().cwiseAbs().cwiseMax(box_.min().cwiseAbs()).array()).any())
+    return first;
+
+  // The centred form f(c) + grad f(box) (x - c) is tight to second order, but bounds the exact f.
+  std::array<Jet1<Interval, d>, d> jets;
+  for (int k = 0; k < d; ++k) jets[k] = Jet1<Interval, d>::variable(variables[k], k);
+  const Jet1<Interval, d> slopes = formula_(std::span<const Jet1<Interval, d>>(jets));
+  const RealPoint<d> middle = box.center();
+  double lower = value(middle) - rounding_, upper = value(middle) + rounding_;
+  for (int k = 0; k < d; ++k) {
+    const double reach = std::max(box.max()[k] - middle[k], middle[k] - box.min()[k]);
+    const double steepest =
+        std::max(std::abs(slopes.gradient[k].lower()), std::abs(slopes.gradient[k].upper()));
+    lower -= reach * steepest * (1 + 1e-12);
+    upper += reach * steepest * (1 + 1e-12);
+  }
+  return decide(lower, upper);
+}
+
+/// |grad f| / |Hessian f| estimates the distance to the point where the gradient vanishes.
+template <int d>
+bool ImplicitShape<d>::is_singular(const Jet2<d>& f) const {
+  constexpr double kSingular = 1e-5;
+  return f.gradient.norm() <= kSingular * size_ * f.hessian.norm();
+}
+
+/// Relative residuals up to which a foot is a foot, and up to which it is one that its polynomial leaves
+/// unresolved.
+constexpr double kResolved = 5e-13, kResolvedAtAll = 1e-9;
+
+/// Newton's method on q + t grad f(q) = query, f(q) = 0.
+template <int d>
+auto ImplicitShape<d>::newton(const RealPoint<d>& query, const RealPoint<d>& start, double within) const
+    -> std::optional<Foot> {
+  using System = Eigen::Matrix<double, d + 1, d + 1>;
+  using Vector = Eigen::Matrix<double, d + 1, 1>;
+  RealPoint<d> q = start;
+  Jet2<d> f = jet(q);
+  double t = 0;
+  if (start == query) {
+    // One step along the gradient lands near the boundary, where the system is well conditioned.
+    const double squared = f.gradient.squaredNorm();
+    if (!(squared > 0)) return std::nullopt;
+    RealPoint<d> step = (f.value / squared) * f.gradient;
+    if (step.norm() > within) step *= within / step.norm();
+    q -= step;
+    f = jet(q);
+  }
+  t = (query - q).dot(f.gradient) / f.gradient.squaredNorm();
+  double last = std::numeric_limits<double>::infinity();
+  std::optional<Foot> best;  // with the smallest residual, `last`
+  int stalled = 0;
+  for (int iteration = 0; iteration < 60 && stalled < 4; ++iteration) {
+    const double slope = f.gradient.norm();
+    if (!(slope > 0)) return std::nullopt;
+    Vector residual;
+    residual.template head<d>() = q + t * f.gradient - query;
+    residual[d] = f.value;
+    const double size = residual.template head<d>().norm() + std::abs(f.value) / slope;
+    stalled = size < last / 2 ? 0 : stalled + 1;
+    if (size < last) {
+      best = Foot{q, f, false};
+      last = size;
+    }
+    if (size <= 1e-14 * size_) break;
+    System system;
+    system.template topLeftCorner<d, d>() = Eigen::Matrix<double, d, d>::Identity() + t * f.hessian;
+    system.template topRightCorner<d, 1>() = f.gradient;
+    system.template bottomLeftCorner<1, d>() = f.gradient.transpose();
+    system(d, d) = 0;
+    Vector step = system.partialPivLu().solve(residual);
+    const double length = step.template head<d>().norm();
+    if (!std::isfinite(length)) break;
+    if (length > within) step *= within / length;
+    q -= step.template head<d>();
+    t -= step[d];
+    if ((q - query).norm() > 3 * within) break;
+    f = jet(q);
+  }
+  // Rounding of f over a vanishing gradient: the boundary is known to less than the bound on residuals.
+  if (best) best->singular = last > kResolved * size_;
+  return last <= kResolvedAtAll * size_ ? best : std::nullopt;
+}
+
+/// Onto the boundary, along gradients.
+template <int d>
+std::optional<RealPoint<d>> ImplicitShape<d>::correct(RealPoint<d> p, double within) const {
+  for (int iteration = 0; iteration < 200; ++iteration) {
+    const Jet2<d> f = jet(p);
+    const double squared = f.gradient.squaredNorm();
+    if (is_singular(f)) return p;
+    RealPoint<d> step = (f.value / squared) * f.gradient;
+    if (step.norm() <= 1e-13 * size_) return p;
+    if (step.norm() > within / 4) step *= within / 4 / step.norm();
+    p -= step;
+  }
+  return std::nullopt;
+}
+
+/// Slides along the boundary towards the query, which also ends well where Newton's method does not: at a
+/// singular point.
+template <int d>
+auto ImplicitShape<d>::descend(const RealPoint<d>& query, const RealPoint<d>& start, double within) const
+    -> std::optional<Foot> {
+  auto q = correct(start, within);
+  if (!q) return std::nullopt;
+  double rate = 1;
+  for (int iteration = 0; iteration < 300; ++iteration) {
+    const Jet2<d> f = jet(*q);
+    if (is_singular(f)) return Foot{*q, f, true};
+    const RealPoint<d> normal = f.gradient.normalized(), difference = query - *q;
+    const RealPoint<d> tangential = difference - difference.dot(normal) * normal;
+    if (rate * tangential.norm() <= 1e-9 * size_) break;
+    const auto next = correct(*q + rate * tangential, within);
+    if (next && (*next - query).norm() < difference.norm()) {
+      q = next;
+      rate = std::min(1.0, 2 * rate);
+    } else {
+      rate /= 4;
+    }
+  }
+  if (const auto foot = newton(query, *q, within)) return foot;
+  const Jet2<d> f = jet(*q);
+  constexpr double kNearSingular = 1e-3;  // where the slide stalls in front of a cusp
+  if (f.gradient.norm() <= kNearSingular * size_ * f.hessian.norm()) return Foot{*q, f, true};
+  return std::nullopt;
+}
+
+/// Boundary points on the axes and diagonals through the query, to start from: at most twice `within` away,
+/// since the closest one may lie between the rays.
+template <int d>
+std::vector<RealPoint<d>> ImplicitShape<d>::crossings(const RealPoint<d>& query, double within) const {
+  std::vector<RealPoint<d>> found;
+  const bool inside = value(query) <= 0;
+  for_each_point(LatticeBox<d>{LatticePoint<d>::Constant(-1), LatticePoint<d>::Constant(1)},
+                 [&](const LatticePoint<d>& direction) {
+                   if (direction.isZero()) return;
+                   const RealPoint<d> ray = direction.template cast<double>().normalized() * (2 * within);
+                   constexpr int kSteps = 16;
+                   for (int i = 1; i <= kSteps; ++i) {
+                     double near = double(i - 1) / kSteps, far = double(i) / kSteps;
+                     if ((value(query + far * ray) <= 0) == inside) continue;
+                     for (int halving = 0; halving < 30; ++halving) {
+                       const double middle = (near + far) / 2;
+                       ((value(query + middle * ray) <= 0) == inside ? near : far) = middle;
+                     }
+                     found.push_back(query + far * ray);
+                     return;
+                   }
+                 });
+  return found;
+}
+
+/// A local minimum of the distance, with no change of side seen nearer than the foot.
+template <int d>
+bool ImplicitShape<d>::certain(const RealPoint<d>& query, const Foot& foot) const {
+  const double distance = (query - foot.position).norm();
+  if (distance <= 1e-9 * size_) return true;
+  const BoundaryPoint<d> point = boundary_point(query, foot);
+  const double signed_distance = (query - foot.position).dot(point.normal);
+  for (const double k : point.curvature)
+    if (!(1 + signed_distance * k > 0)) return false;
+  const bool inside = value(query) <= 0;
+  bool seen = false;
+  for_each_point(LatticeBox<d>{LatticePoint<d>::Constant(-1), LatticePoint<d>::Constant(1)},
+                 [&](const LatticePoint<d>& direction) {
+                   if (direction.isZero() || seen) return;
+                   const RealPoint<d> probe =
+                       query + 0.95 * distance * direction.template cast<double>().normalized();
+                   seen = (value(probe) <= 0) != inside;
+                 });
+  return !seen;
+}
+
+template <int d>
+BoundaryPoint<d> ImplicitShape<d>::boundary_point(const RealPoint<d>& query, const Foot& foot) const {
+  const double slope = foot.f.gradient.norm();
+  BoundaryPoint<d> point;
+  point.position = foot.position;
+  point.normal = foot.f.gradient / slope;
+  // The shape operator is the Hessian on the tangent plane, over |grad f|.
+  if constexpr (d == 2) {
+    point.direction[0] = {-point.normal[1], point.normal[0]};
+    point.curvature[0] = point.direction[0].dot(foot.f.hessian * point.direction[0]) / slope;
+  } else {
+    Eigen::Matrix<double, 3, 2> tangent;
+    tangent.col(0) = point.normal.unitOrthogonal();
+    tangent.col(1) = point.normal.cross(tangent.col(0));
+    const Eigen::Matrix2d shape_operator = tangent.transpose() * foot.f.hessian * tangent / slope;
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen;
+    eigen.computeDirect(shape_operator);
+    for (int i = 0; i < 2; ++i) {
+      point.curvature[i] = eigen.eigenvalues()[1 - i];
+      point.direction[i] = tangent * eigen.eigenvectors().col(1 - i);
+    }
+  }
+  const RealPoint<d> difference = query - foot.position;
+  point.distance = difference.norm();
+  const double tangential = (difference - difference.dot(point.normal) * point.normal).norm();
+  point.residual = std::max(std::abs(foot.f.value) / slope, tangential) / size_;
+  return point;
+}
+
+/// The closest point on the faces of the box that cut the shape; its curvature is 0. Nothing at a rim.
+template <int d>
+std::optional<BoundaryPoint<d>> ImplicitShape<d>::nearest_cut(const RealPoint<d>& query) const {
+  std::optional<BoundaryPoint<d>> nearest;
+  for (int axis = 0; axis < d; ++axis)
+    for (const int sign : {-1, +1}) {
+      BoundaryPoint<d> point;
+      point.position = query;
+      point.position[axis] = sign < 0 ? box_.min()[axis] : box_.max()[axis];
+      if (!box_.contains(point.position) || value(point.position) > 0) continue;
+      point.distance = std::abs(query[axis] - point.position[axis]);
+      if (nearest && nearest->distance <= point.distance) continue;
+      point.normal = RealPoint<d>::Unit(axis) * sign;
+      point.curvature.fill(0);
+      if constexpr (d == 2)
+        point.direction[0] = {-point.normal[1], point.normal[0]};
+      else
+        point.direction = {point.normal.unitOrthogonal(), point.normal.cross(point.normal.unitOrthogonal())};
+      point.residual = 0;
+      nearest = point;
+    }
+  return nearest;
+}
+
+template <int d>
+std::optional<BoundaryPoint<d>> ImplicitShape<d>::local_project(const RealPoint<d>& query,
+                                                                double within) const {
+  std::optional<BoundaryPoint<d>> cut;
+  if (cut_) {
+    cut = nearest_cut(query);
+    if (cut && cut->distance > within) cut.reset();
+  }
+  const auto reached = [&](const Foot& foot) {
+    return (foot.position - query).norm() <= within * (1 + 1e-12);
+  };
+  std::optional<Foot> best = newton(query, query, within);
+  if (best) best->singular |= is_singular(best->f);
+  if (!best || best->singular || !reached(*best) || !certain(query, *best)) {
+    best.reset();
+    std::vector<RealPoint<d>> starts = crossings(query, within);
+    starts.push_back(query);
+    for (const RealPoint<d>& start : starts)
+      for (const auto& foot : {newton(query, start, within), descend(query, start, within)}) {
+        if (!foot || !reached(*foot)) continue;
+        if (!foot->singular && !is_singular(foot->f)) {
+          const BoundaryPoint<d> point = boundary_point(query, *foot);
+          const double signed_distance = (query - foot->position).dot(point.normal);
+          bool minimum = true;
+          for (const double k : point.curvature) minimum &= 1 + signed_distance * k > -1e-9;
+          if (!minimum) continue;
+        }
+        if (!best || (foot->position - query).norm() < (best->position - query).norm() - 1e-12 * size_)
+          best = foot;
+      }
+    if (best) best->singular |= is_singular(best->f);
+  }
+  if (best && cut_ && !box_.contains(best->position)) {
+    // The polynomial goes on beyond the cut: the closest point is on a face, or on its rim.
+    best.reset();
+    if (!cut) return std::nullopt;
+  }
+  if (cut && (!best || cut->distance < (best->position - query).norm())) return cut;
+  if (!best) throw UncertifiedProjection("no closest point found on {" + formula_.text() + " <= 0}");
+  if (best->singular) return std::nullopt;
+  return boundary_point(query, *best);
+}
+
+namespace {
+
+/// Whether f > 0 on a whole box; gives up (false) after `budget` boxes, or at the first point where f <= 0.
+template <int d>
+bool proves_positive(const Formula& formula, const RealBox<d>& box, int& budget) {
+  if (--budget < 0) return false;
+  std::array<Interval, d> variables;
+  std::array<Jet1<Interval, d>, d> jets;
+  for (int k = 0; k < d; ++k) {
+    variables[k] = Interval(box.min()[k], box.max()[k]);
+    jets[k] = Jet1<Interval, d>::variable(variables[k], k);
+  }
+  if (formula(std::span<const Interval>(variables)).lower() > 0) return true;
+  const RealPoint<d> middle = box.center();
+  const double f = formula(std::span<const double>(middle.data(), d));
+  if (!(f > 0)) return false;
+  const Jet1<Interval, d> slopes = formula(std::span<const Jet1<Interval, d>>(jets));
+  double lower = f;
+  for (int k = 0; k < d; ++k)
+    lower -= box.sizes()[k] / 2 *
+             std::max(std::abs(slopes.gradient[k].lower()), std::abs(slopes.gradient[k].upper()));
+  const RealPoint<d> far = box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs());
+  if (lower > 1e-13 * formula.magnitude({far.data(), d})) return true;
+  int axis;
+  box.sizes().maxCoeff(&axis);
+  RealBox<d> left = box, right = box;
+  left.max()[axis] = right.min()[axis] = middle[axis];
+  return proves_positive<d>(formula, left, budget) && proves_positive<d>(formula, right, budget);
+}
+
+template <int d>
+RealBox<d> cube(double half_side) {
+  return {RealPoint<d>::Constant(-half_side), RealPoint<d>::Constant(half_side)};
+}
+
+/// The part of a box beyond `position` along an axis, on the side of `sign`.
+template <int d>
+RealBox<d> slab(RealBox<d> box, int axis, int sign, double position) {
+  (sign > 0 ? box.min() : box.max())[axis] = position;
+  return box;
+}
+
+template <int d>
+bool positive_around(const Formula& formula, const RealBox<d>& inner, const RealBox<d>& outer, int budget) {
+  for (int axis = 0; axis < d; ++axis)
+    for (const int sign : {-1, +1}) {
+      const double position = sign > 0 ? inner.max()[axis] : inner.min()[axis];
+      if (!proves_positive<d>(formula, slab<d>(outer, axis, sign, position), budget)) return false;
+    }
+  return true;
+}
+
+/// Whether some point of a grid over the box has f <= 0.
+template <int d>
+bool reaches_zero(const Formula& formula, const RealBox<d>& box) {
+  constexpr int kSide = d == 2 ? 200 : 40;
+  bool found = false;
+  const RealPoint<d> step = box.sizes() / kSide;
+  for_each_point(LatticeBox<d>{LatticePoint<d>::Zero(), LatticePoint<d>::Constant(kSide)},
+                 [&](const LatticePoint<d>& i) {
+                   if (found) return;
+                   const RealPoint<d> p = box.min() + step.cwiseProduct(i.template cast<double>());
+                   found = formula(std::span<const double>(p.data(), d)) <= 0;
+                 });
+  return found;
+}
+
+}  // namespace
+
+template <int d>
+RealBox<d> bounds_of(const Formula& formula, double bound) {
+  constexpr int kBudget = 100000;
+  const auto fail = [&](const std::string& why) {
+    throw InputError(fmt::format("polynomial '{}' {}", formula.text(), why));
+  };
+  if (formula.variables() > d) fail("has too many variables");
+  std::optional<RealBox<d>> box;
+  if (bound > 0) {
+    if (!positive_around<d>(formula, cube<d>(bound), cube<d>(bound), kBudget))
+      fail(fmt::format("is not proved positive on the border of the box of half side {}: unbounded there",
+                       bound));
+    box = cube<d>(bound);
+  } else {
+    for (double half = 1024; half >= 1.0 / 64; half /= 2)
+      if (positive_around<d>(formula, cube<d>(half), cube<d>(2 * half), kBudget / 10))
+        box = cube<d>(half);
+      else if (box)
+        break;
+    if (!box) fail("is unbounded, or not proved bounded, in the box of half side 1024; try bound=");
+  }
+  if (!reaches_zero<d>(formula, *box))
+    fail(fmt::format("is never negative in the box of half side {}: the shape is empty", box->max()[0]));
+  for (int axis = 0; axis < d; ++axis)
+    for (const int sign : {-1, +1}) {
+      double& face = (sign > 0 ? box->max() : box->min())[axis];
+      double inner = sign > 0 ? box->min()[axis] : box->max()[axis];  // never proved
+      for (int halving = 0; halving < 10; ++halving) {
+        const double middle = (face + inner) / 2;
+        int budget = kBudget / 50;
+        (proves_positive<d>(formula, slab<d>(*box, axis, sign, middle), budget) ? face : inner) = middle;
+      }
+    }
+  return *box;
+}
+
+template class ImplicitShape<2>;
+template class ImplicitShape<3>;
+template RealBox<2> bounds_of<2>(const Formula&, double);
+template RealBox<3> bounds_of<3>(const Formula&, double);
+
+}  // namespace gridstep

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace gridstep {
+
+/// A value with its first derivatives in d variables (forward differentiation); T is double or Interval.
+template <class T, int d>
+struct Jet1 {
+  T value{};
+  std::array<T, d> gradient{};
+
+  Jet1() = default;
+  explicit Jet1(double constant) : value(constant) { gradient.fill(T(0.0)); }
+  static Jet1 variable(const T& x, int k) {
+    Jet1 jet(0.0);
+    jet.value = x;
+    jet.gradient[std::size_t(k)] = T(1.0);
+    return jet;
+  }
+  friend Jet1 operator+(Jet1 a, const Jet1& b) {
+    a.value += b.value;
+    for (int k = 0; k < d; ++k) a.gradient[k] += b.gradient[k];
+    return a;
+  }
+  friend Jet1 operator-(Jet1 a, const Jet1& b) {
+    a.value -= b.value;
+    for (int k = 0; k < d; ++k) a.gradient[k] -= b.gradient[k];
+    return a;
+  }
+  friend Jet1 operator*(const Jet1& a, const Jet1& b) {
+    Jet1 c(0.0);
+    c.value = a.value * b.value;
+    for (int k = 0; k < d; ++k) c.gradient[k] = a.gradient[k] * b.value + a.value * b.gradient[k];
+    return c;
+  }
+  friend Jet1 square(const Jet1& a) {
+    using gridstep::square;
+    Jet1 c(0.0);
+    c.value = square(a.value);
+    for (int k = 0; k < d; ++k) c.gradient[k] = T(2.0) * (a.value * a.gradient[k]);
+    return c;
+  }
+};
+
+/// A value with its gradient and Hessian in d variables.
+template <int d>
+struct Jet2 {
+  using Vector = Eigen::Matrix<double, d, 1>;
+  using Matrix = Eigen::Matrix<double, d, d>;
+  double value = 0;
+  Vector gradient = Vector::Zero();
+  Matrix hessian = Matrix::Zero();
+
+  Jet2() = default;
+  explicit Jet2(double constant) : value(constant) {}
+  static Jet2 variable(double x, int k) {
+    Jet2 jet(x);
+    jet.gradient[k] = 1;
+    return jet;
+  }
+  friend Jet2 operator+(Jet2 a, const Jet2& b) {
+    a.value += b.value;
+    a.gradient += b.gradient;
+    a.hessian += b.hessian;
+    return a;
+  }
+  friend Jet2 operator-(Jet2 a, const Jet2& b) {
+    a.value -= b.value;
+    a.gradient -= b.gradient;
+    a.hessian -= b.hessian;
+    return a;
+  }
+  friend Jet2 operator*(const Jet2& a, const Jet2& b) {
+    Jet2 c(a.value * b.value);
+    c.gradient = a.value * b.gradient + b.value * a.gradient;
+    c.hessian = a.value * b.hessian + b.value * a.hessian + a.gradient * b.gradient.transpose() +
+                b.gradient * a.gradient.transpose();
+    return c;
+  }
+  friend Jet2 square(const Jet2& a) {
+    Jet2 c(a.value * a.value);
+    c.gradient = (2 * a.value) * a.gradient;
+    c.hessian = (2 * a.value) * a.hessian + 2 * (a.gradient * a.gradient.transpose());
+    return c;
+  }
+};
+
+}  // namespace gridstep

@@ -1,0 +1,114 @@
+#include "shapes/scene.hpp"
+
+#include <fmt/format.h>
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include "shapes/digital/kanungo_noise.hpp"
+
+namespace gridstep {
+
+template <int d>
+Scene<d> make_scene(const Shape<d>& shape, const SceneSettings<d>& settings) {
+  DigitizationWork work;
+  const PlacedRegion<d> placed(shape, settings.placement, settings.h);
+  DigitalSet<d> set = gauss_digitize<d>(placed, settings.h, &work);
+  if (settings.noise > 0) set = kanungo_noise(set, settings.noise, settings.noise_seed);
+  Scene<d> scene{settings, std::move(set), {}, 0, work};
+  if (d == 2 || settings.noise > 0) {
+    DigitalSurface<d> surface = connected_boundary(scene.set);
+    scene.components = surface.components();
+    if (settings.noise > 0 && scene.components > 1) surface.surfels.resize(surface.component_begin[1]);
+    scene.surfels = std::move(surface.surfels);
+  } else {
+    scene.surfels = boundary(scene.set);
+  }
+  if (scene.surfels.empty())
+    throw InputError(fmt::format("h = {}: the digital set is empty; the grid step is coarser than the shape",
+                                 settings.h.value));
+  return scene;
+}
+
+template <int d>
+double quantity_at(const BoundaryPoint<d>& point, const std::string& quantity) {
+  const auto component = [&](const std::string& name, const RealPoint<d>& v) -> std::optional<double> {
+    for (int k = 0; k < d; ++k)
+      if (quantity == name + "_" + "xyz"[k]) return v[k];
+    return std::nullopt;
+  };
+  if (const auto value = component("normal", point.normal)) return *value;
+  if constexpr (d == 2) {
+    if (quantity == "kappa") return point.curvature[0];
+    if (const auto value = component("tangent", point.direction[0])) return *value;
+  } else {
+    const double k1 = point.curvature[0], k2 = point.curvature[1];
+    if (quantity == "mean") return (k1 + k2) / 2;
+    if (quantity == "gaussian") return k1 * k2;
+    if (quantity == "k1") return k1;
+    if (quantity == "k2") return k2;
+    if (const auto value = component("dir1", point.direction[0])) return *value;
+    if (const auto value = component("dir2", point.direction[1])) return *value;
+  }
+  throw ContractViolation("expected a quantity of differential geometry, not '" + quantity + "'");
+}
+
+template <int d>
+Truth truth_at_surfels(const Shape<d>& shape, const SceneSettings<d>& settings,
+                       const std::vector<Surfel<d>>& surfels, const std::vector<std::string>& quantities) {
+  const GridStep h = settings.h;
+  const bool noisy = settings.noise > 0;
+  // An inner and an outer point are h apart, the boundary passes between them; the slack is for their
+  // rounding.
+  const EuclideanLength within{noisy ? 12 * h.value : 0.5 * h.value * (1 + 1e-9)};
+  Truth truth;
+  truth.quantities = quantities;
+  truth.columns.assign(quantities.size(), std::vector<double>(surfels.size(), 0.0));
+  truth.known.assign(surfels.size(), 0);
+  struct Tally {
+    std::int64_t singular = 0, far = 0;
+    double worst_residual = 0;
+  };
+  tbb::enumerable_thread_specific<Tally> tallies;
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, surfels.size(), 64), [&](const auto& range) {
+    Tally& tally = tallies.local();
+    for (std::size_t i = range.begin(); i != range.end(); ++i) {
+      std::optional<BoundaryPoint<d>> point;
+      try {
+        point = shape.project(settings.placement.to_shape(centre(surfels[i], h.value), h), within);
+      } catch (const UncertifiedProjection&) {
+        if (!noisy) throw;
+        ++tally.far;
+        continue;
+      }
+      if (!point) {
+        ++tally.singular;
+        continue;
+      }
+      point->normal = settings.placement.direction_to_world(point->normal);
+      for (RealPoint<d>& direction : point->direction)
+        direction = settings.placement.direction_to_world(direction);
+      truth.known[i] = 1;
+      tally.worst_residual = std::max(tally.worst_residual, point->residual);
+      for (std::size_t q = 0; q < quantities.size(); ++q)
+        truth.columns[q][i] = quantity_at<d>(*point, quantities[q]);
+    }
+  });
+  for (const Tally& tally : tallies) {
+    truth.singular += tally.singular;
+    truth.far += tally.far;
+    truth.worst_residual = std::max(truth.worst_residual, tally.worst_residual);
+  }
+  return truth;
+}
+
+#define GRIDSTEP_INSTANTIATE(d)                                                                            \
+  template Scene<d> make_scene(const Shape<d>&, const SceneSettings<d>&);                                  \
+  template double quantity_at(const BoundaryPoint<d>&, const std::string&);                                \
+  template Truth truth_at_surfels(const Shape<d>&, const SceneSettings<d>&, const std::vector<Surfel<d>>&, \
+                                  const std::vector<std::string>&);
+GRIDSTEP_INSTANTIATE(2)
+GRIDSTEP_INSTANTIATE(3)
+#undef GRIDSTEP_INSTANTIATE
+
+}  // namespace gridstep

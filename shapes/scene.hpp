@@ -1,0 +1,61 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "shapes/analytic/shape.hpp"
+#include "shapes/base/placement.hpp"
+#include "shapes/digital/boundary.hpp"
+#include "shapes/digital/gauss_digitize.hpp"
+
+namespace gridstep {
+
+/// How a shape is turned into a digital set.
+template <int d>
+struct SceneSettings {
+  GridStep h{1};
+  Placement<d> placement;
+  double noise = 0;  ///< beta of kanungo_noise(); 0: none
+  std::uint64_t noise_seed = 0;
+};
+
+/// What estimators get to see: the digital set and its boundary.
+template <int d>
+struct Scene {
+  SceneSettings<d> settings;
+  DigitalSet<d> set;
+  std::vector<Surfel<d>>
+      surfels;                 ///< contours in walking order in 2D; with noise, the largest component alone
+  std::size_t components = 0;  ///< of the boundary; only counted in 2D and with noise, else 0
+  DigitizationWork work;
+};
+
+/// @throws InputError where the digital set has no boundary: the step is coarser than the shape.
+template <int d>
+Scene<d> make_scene(const Shape<d>& shape, const SceneSettings<d>& settings);
+
+/// The exact values at the boundary points closest to the surfels' centres: the answer key, kept apart from
+/// the scene.
+struct Truth {
+  std::vector<std::string> quantities;
+  std::vector<std::vector<double>> columns;  ///< columns[q][i] belongs to surfel i; 0 where known[i] is 0
+  std::vector<std::uint8_t> known;
+  std::int64_t singular = 0;  ///< surfels whose closest point is a corner, an edge or a singular point
+  std::int64_t far = 0;  ///< with noise alone: surfels with no certified closest point within twelve cells
+  double worst_residual = 0;  ///< relative to the size of the shape
+};
+
+/// Names: kappa; mean, gaussian, k1, k2; normal_x.., dir1_x.., dir2_x..; tangent_x...
+/// @throws UncertifiedProjection where a surfel of a scene without noise has no certified closest point
+/// within h/2: by Gauss digitization there always is one.
+template <int d>
+Truth truth_at_surfels(const Shape<d>& shape, const SceneSettings<d>& settings,
+                       const std::vector<Surfel<d>>& surfels, const std::vector<std::string>& quantities);
+
+/// One quantity at a boundary point, in the frame of the shape. @throws ContractViolation where it has no
+/// such name.
+template <int d>
+double quantity_at(const BoundaryPoint<d>& point, const std::string& quantity);
+
+}  // namespace gridstep
