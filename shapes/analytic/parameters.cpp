@@ -103,8 +103,10 @@ std::string ShapeSpec::canonical() const {
   char separator = ':';
   for (const Parameter& parameter : parameters) {
     const auto given = values.find(parameter.name);
-    result += fmt::format("{}{}={}", separator, parameter.name,
-                          display(given == values.end() ? parameter.default_value : given->second));
+    const auto& value = given == values.end() ? parameter.default_value : given->second;
+    const bool is_centre = parameter.name == "cx" || parameter.name == "cy" || parameter.name == "cz";
+    if (is_centre && value == parameter.default_value) continue;
+    result += fmt::format("{}{}={}", separator, parameter.name, display(value));
     separator = ',';
   }
   return result;

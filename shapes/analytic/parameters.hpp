@@ -44,7 +44,8 @@ struct ShapeSpec {
   static ShapeSpec parse(const std::string& text);
   /// {"name": "ellipse", "a": 20, "b": 7}.
   static ShapeSpec parse(const nlohmann::json& object);
-  /// With every parameter, defaults included, in the order of the catalogue: one text for one shape.
+  /// With every parameter, defaults included (but for a centre at the origin), in the order of the catalogue:
+  /// one text for one shape.
   std::string canonical() const;
 };
 

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "experiments/core/slope.hpp"
+#include "experiments/core/table.hpp"
+#include "experiments/record.hpp"
+
+namespace gridstep {
+
+/// The errors of one quantity in one norm along a schedule, and what they say about convergence.
+struct Convergence {
+  std::string shape, estimator, quantity, norm;
+  double k, alpha, noise;
+  std::vector<Level> levels;
+  SlopeFit fit;
+  std::optional<double> expected;  ///< exponent that theory gives, where it gives a positive one
+  std::optional<Verdict> verdict;  ///< on `expected`
+};
+
+/// The exponent p of the bound O(h^p) on the sup error of integral invariants with R = k h^alpha: the smaller
+/// of alpha, from the O(R) of the continuous invariant, and 1 - 2 alpha, from the O(h / R^2) of digitization
+/// and position [Coeurjolly, Lachaud, Levallois, CVIU 2014, theorems 1 to 3]. Nothing where it is not above
+/// no_convergence.
+std::optional<double> proven_exponent(double alpha);
+
+/// Series in the order of the records, each in the norms sup, rms, mean. Records of the first evaluation
+/// alone: the others have the same sums. `seed` is that of the bootstrap.
+std::vector<Convergence> convergence_of(const std::vector<Record>& records, std::uint64_t seed);
+
+/// The cost of one way of evaluation along a schedule, as medians over the shifts.
+struct Cost {
+  struct Step {
+    double h, digital_radius, surfels, seconds_init, seconds_eval, cells_visited, restarts, evaluations;
+  };
+  std::string shape, estimator, evaluation;
+  int dimension;
+  double k, alpha;
+  std::vector<Step> steps;
+};
+std::vector<Cost> costs_of(const std::vector<Record>& records);
+
+/// Slopes and verdicts, one row a series.
+Table convergence_table(const std::vector<Convergence>& series);
+/// Times and work at the finest step, growth exponents in h (whole surface) and in R/h (one surfel), and the
+/// speed-up over the whole kernel.
+Table cost_table(const std::vector<Cost>& costs);
+
+/// Every fit with its scan, pairwise orders and verdict, for other programs.
+nlohmann::ordered_json to_json(const std::vector<Convergence>& series);
+nlohmann::ordered_json to_json(const std::vector<Cost>& costs);
+
+}  // namespace gridstep

@@ -1,0 +1,130 @@
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "experiments/analysis.hpp"
+#include "experiments/catalogue.hpp"
+#include "experiments/core/json_reader.hpp"
+#include "experiments/core/output_file.hpp"
+#include "experiments/core/provenance.hpp"
+#include "experiments/program/commands.hpp"
+#include "experiments/runner.hpp"
+#include "shapes/base/contracts.hpp"
+
+namespace gridstep {
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+struct Options {
+  std::string study, out;
+  bool quick = false, full = false, resume = false, csv = false, latex = false;
+  int threads = 0;
+  std::optional<std::uint64_t> seed;
+};
+
+/// The study's JSON, and a name for its folder.
+std::pair<nlohmann::json, std::string> load(const Options& options) {
+  const bool is_file = fs::is_regular_file(options.study);
+  if (is_file && (options.quick || options.full))
+    throw InputError("--quick and --full are sizes of built-in studies, not of the file " + options.study);
+  if (is_file) return {load_json(options.study), fs::path(options.study).stem().string()};
+  const StudyEntry& entry = find_study(options.study);
+  return {nlohmann::json::parse(options.full ? entry.full : entry.quick),
+          entry.name + (options.full ? "-full" : "-quick")};
+}
+
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw InputError(fmt::format("--out {}: {}", folder.string(), error.message()));
+}
+
+void run(const Options& options) {
+  auto [json, label] = load(options);
+  if (options.seed && json.is_object()) json["seed"] = *options.seed;
+  const Study study = Study::read(json, options.study);
+
+  const fs::path folder = options.out.empty() ? fs::path("results/raw") / label : fs::path(options.out);
+  make_folder(folder);
+  const fs::path journal = folder / "journal.jsonl";
+  const std::vector<Record> records = run_study(study, json, {journal, options.resume, stderr});
+
+  const ordered_json head{{"schema", 1}, {"study", json}, {"seed", study.seed}, {"provenance", provenance()}};
+  std::string lines = head.dump() + "\n";
+  for (const Record& record : records) lines += to_json(record).dump() + "\n";
+  const auto convergence = convergence_of(records, study.seed);
+  const auto costs = costs_of(records);
+  ordered_json summary = head;
+  summary["convergence"] = to_json(convergence);
+  summary["cost"] = to_json(costs);
+  write_whole(folder / "records.jsonl", lines);
+  write_whole(folder / "summary.json", summary.dump(1) + "\n");
+
+  const Table slopes = convergence_table(convergence), cost = cost_table(costs);
+  if (options.csv) {
+    write_whole(folder / "convergence.csv", to_csv(slopes));
+    write_whole(folder / "cost.csv", to_csv(cost));
+  }
+  if (options.latex) {
+    write_whole(folder / "convergence.tex", to_latex(slopes));
+    write_whole(folder / "cost.tex", to_latex(cost));
+  }
+  std::error_code ignored;
+  fs::remove(journal, ignored);
+
+  std::int64_t surfels = 0, singular = 0, far = 0;
+  double residual = 0;
+  for (const Record& record : records) {
+    surfels += record.surfels;
+    singular += record.singular;
+    far += record.far;
+    residual = std::max(residual, record.worst_residual);
+  }
+  if (study.timing)
+    fmt::print("{}\n", to_text(cost));
+  else
+    fmt::print("{}\n", to_text(slopes));
+  fmt::print("{}: {} records, {} estimates; truth residual <= {:.2g} of the size", study.name, records.size(),
+             surfels, residual);
+  if (singular + far > 0)
+    fmt::print("; left out of the norms: {} at singular points, {} far from the boundary", singular, far);
+  fmt::print("\nwritten: {}\n", (folder / "records.jsonl").string());
+  fmt::print("written: {}\n", (folder / "summary.json").string());
+}
+
+}  // namespace
+
+void add_study_command(CLI::App& program) {
+  CLI::App* command = program.add_subcommand("study", "Run a study: error curves, slopes and verdicts");
+  const auto options = std::make_shared<Options>();
+  command->add_option("study", options->study, "The name of a built-in study, or a JSON file")->required();
+  auto* quick = command->add_flag("--quick", options->quick, "A built-in study in its small size (default)");
+  command->add_flag("--full", options->full, "A built-in study over the papers' ranges")->excludes(quick);
+  command->add_option("--out", options->out, "Folder for the results (default: results/raw/NAME-SIZE)");
+  command->add_flag("--resume", options->resume, "Go on with a run that was interrupted");
+  command->add_option("--threads", options->threads, "Number of threads (default: all)")
+      ->check(CLI::Range(1, 4096));
+  command->add_option("--seed", options->seed, "Seed of shifts, rotations, noise and bootstrap");
+  command->add_flag("--csv", options->csv, "Also write the tables as CSV");
+  command->add_flag("--latex", options->latex, "Also write the tables as LaTeX");
+  command->footer(
+      "Examples:\n"
+      "  gridstep study paper-2d\n"
+      "  gridstep study my-study.json --out results/raw/mine --csv --latex\n"
+      "What a study file holds: results/README.md; those of the built-in ones: gridstep list studies --json");
+  command->callback([options] {
+    std::optional<tbb::global_control> limit;
+    if (options->threads > 0)
+      limit.emplace(tbb::global_control::max_allowed_parallelism, std::size_t(options->threads));
+    run(*options);
+  });
+}
+
+}  // namespace gridstep

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "estimators/estimator.hpp"
+#include "experiments/core/norms.hpp"
+
+namespace gridstep {
+
+/// What one estimator did on one digitization: a line of records.jsonl. Fields are documented in
+/// results/README.md.
+struct Record {
+  std::string shape, estimator, evaluation;
+  int dimension = 2;
+  double h = 0, k = 0, alpha = 0, noise = 0;
+  int shift = 0;               ///< number of the placement
+  std::vector<double> offset;  ///< its sub-grid shift, in cells
+  double digital_radius = 0;   ///< R/h
+  std::int64_t surfels = 0;    ///< all, of which `singular` and `far` have no truth
+  std::int64_t singular = 0, far = 0, components = 0;
+  double worst_residual = 0;                               ///< of the truth, relative to the shape's size
+  std::vector<std::pair<std::string, ErrorNorms>> errors;  ///< by quantity; none where no surfel has a truth
+  EstimatorWork work;
+  double seconds_digitize = 0, seconds_truth = 0, seconds_init = 0, seconds_eval = 0;
+};
+
+nlohmann::ordered_json to_json(const Record& record);
+/// @throws InputError where a field is missing or of the wrong type.
+Record record_from(const nlohmann::ordered_json& json);
+
+}  // namespace gridstep

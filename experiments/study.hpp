@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "estimators/catalogue.hpp"
+#include "experiments/core/schedule.hpp"
+#include "shapes/analytic/catalogue.hpp"
+
+namespace gridstep {
+
+/// Every combination of what it lists, at every h of the schedule, under `shifts` random placements each.
+struct Sweep {
+  std::vector<ShapeSpec> shapes;  ///< of one dimension
+  std::vector<std::string> estimators;
+  std::vector<Evaluation> evaluations;  ///< the first one gives the errors; all are timed, and must agree
+  std::vector<RadiusRule> radii;        ///< R(h) = k h^alpha
+  std::vector<double> noise;            ///< beta of Kanungo noise, 0 for none
+  KernelCentre centre = KernelCentre::spels;
+  Schedule schedule;
+  int shifts = 10;
+  bool rotate = false;  ///< a random rotation beside each random shift
+
+  int dimension() const;
+};
+
+/// What to compute; with a seed, it decides every number but the timings.
+struct Study {
+  std::string name, description;
+  std::uint64_t seed = 1;
+  bool timing = false;  ///< evaluations on one thread and repeated, for times that can be compared
+  std::vector<Sweep> sweeps;
+
+  /// From JSON as documented in results/README.md. Everything is checked here: names, parameters, R/h >= 1 at
+  /// every h.
+  /// @throws InputError naming the source, the place, the key and the value.
+  static Study read(const nlohmann::json& json, const std::string& source);
+};
+
+}  // namespace gridstep
