@@ -46,6 +46,12 @@ std::string radius_text(double k, double alpha) {
   return fmt::format("{:.4g} h^{:.3g}", k, alpha);
 }
 
+/// The column of centres is only there where one is not the usual one.
+template <class Row>
+bool has_other_centres(const std::vector<Row>& rows) {
+  return std::any_of(rows.begin(), rows.end(), [](const Row& row) { return row.centre != "spels"; });
+}
+
 }  // namespace
 
 std::optional<double> proven_exponent(double alpha) {
@@ -54,20 +60,25 @@ std::optional<double> proven_exponent(double alpha) {
 }
 
 std::vector<Convergence> convergence_of(const std::vector<Record>& records, std::uint64_t seed) {
-  using Key = std::tuple<std::string, std::string, double, double, double, std::string, std::string>;
+  using Key =
+      std::tuple<std::string, std::string, std::string, double, double, double, std::string, std::string>;
+  // The step is part of it: one sweep may take the whole kernel at coarse steps, another one masks at fine
+  // ones.
+  using StepKey = std::tuple<std::string, std::string, std::string, double, double, double, double>;
   Grouped<Key, Convergence> series;
-  std::map<std::pair<std::string, std::string>, std::string> first_evaluation;
+  std::map<StepKey, std::string> first_evaluation;
   for (const Record& record : records) {
-    const auto [first, is_new] =
-        first_evaluation.emplace(std::pair(record.shape, record.estimator), record.evaluation);
-    if (first->second != record.evaluation) continue;
+    const StepKey step{record.shape, record.estimator, record.centre, record.k,
+                       record.alpha, record.noise,     record.h};
+    if (first_evaluation.emplace(step, record.evaluation).first->second != record.evaluation) continue;
     for (const auto& [quantity, norms] : record.errors)
       for (const auto& [norm, member] : kNorms) {
-        Convergence& c =
-            series[{record.shape, record.estimator, record.k, record.alpha, record.noise, quantity, norm}];
+        Convergence& c = series[{record.shape, record.estimator, record.centre, record.k, record.alpha,
+                                 record.noise, quantity, norm}];
         if (c.levels.empty()) {
           c.shape = record.shape;
           c.estimator = record.estimator;
+          c.centre = record.centre;
           c.quantity = quantity;
           c.norm = norm;
           c.k = record.k;
@@ -95,18 +106,19 @@ std::vector<Cost> costs_of(const std::vector<Record>& records) {
     const Record* record = nullptr;
     std::map<double, std::vector<const Record*>, std::greater<>> by_step;
   };
-  using Key = std::tuple<std::string, std::string, std::string, double, double>;
+  using Key = std::tuple<std::string, std::string, std::string, std::string, double, double>;
   Grouped<Key, Samples> groups;
   for (const Record& record : records) {
     if (record.noise != 0) continue;
-    Samples& samples = groups[{record.shape, record.estimator, record.evaluation, record.k, record.alpha}];
+    Samples& samples =
+        groups[{record.shape, record.estimator, record.evaluation, record.centre, record.k, record.alpha}];
     samples.record = &record;
     samples.by_step[record.h].push_back(&record);
   }
   std::vector<Cost> costs;
   for (const Samples& samples : groups.values) {
     const Record& r = *samples.record;
-    Cost cost{r.shape, r.estimator, r.evaluation, r.dimension, r.k, r.alpha, {}};
+    Cost cost{r.shape, r.estimator, r.evaluation, r.centre, r.dimension, r.k, r.alpha, {}};
     for (const auto& [h, at_step] : samples.by_step) {
       const auto middle = [&](auto field) {
         std::vector<double> values;
@@ -148,6 +160,8 @@ Table convergence_table(const std::vector<Convergence>& series) {
   const bool noisy =
       std::any_of(series.begin(), series.end(), [](const Convergence& c) { return c.noise > 0; });
   if (noisy) table.columns.insert(table.columns.begin() + 1, Column{"noise"});
+  const bool centred = has_other_centres(series);
+  if (centred) table.columns.insert(table.columns.begin() + 1, Column{"centre", left});
   for (const Convergence& c : series) {
     const auto mean = [](const Level& level) {
       double sum = 0;
@@ -170,6 +184,7 @@ Table convergence_table(const std::vector<Convergence>& series) {
                                  c.expected ? format_slope(*c.expected) : "-",
                                  c.verdict ? std::string(to_string(*c.verdict)) : "-"};
     if (noisy) row.insert(row.begin() + 1, fmt::format("{:.3g}", c.noise));
+    if (centred) row.insert(row.begin() + 1, c.centre);
     table.rows.push_back(std::move(row));
   }
   return table;
@@ -232,25 +247,38 @@ Table cost_table(const std::vector<Cost>& costs) {
        {"cells~R/h"},
        {"time~R/h"}},
       {}};
+  const bool centred = has_other_centres(costs);
+  if (centred) table.columns.insert(table.columns.begin() + 1, Column{"centre", left});
   for (const Cost& cost : costs) {
     const Cost::Step& last = cost.steps.back();
     std::string ratio = "-";
     for (const Cost& full : costs)
       if (full.evaluation == "full" && cost.evaluation != "full" &&
-          std::tie(full.shape, full.estimator, full.k, full.alpha) ==
-              std::tie(cost.shape, cost.estimator, cost.k, cost.alpha) &&
+          std::tie(full.shape, full.estimator, full.centre, full.k, full.alpha) ==
+              std::tie(cost.shape, cost.estimator, cost.centre, cost.k, cost.alpha) &&
           last.seconds_eval > 0)
-        ratio = fmt::format("{:.1f}x", full.steps.back().seconds_eval / last.seconds_eval);
-    table.rows.push_back(
-        {cost.shape, cost.estimator, radius_text(cost.k, cost.alpha), cost.evaluation,
-         fmt::format("{:.4g}", last.h), fmt::format("{:.4g}", last.digital_radius),
-         fmt::format("{:.0f}", last.surfels), format_seconds(last.seconds_init),
-         format_seconds(last.seconds_eval), fmt::format("{:.0f}", 1e9 * kSecondsEach(last)),
-         fmt::format("{:.0f}", last.cells_visited / last.surfels),
-         fmt::format("{:.2f} %", 100 * last.restarts / last.evaluations), ratio,
-         exponent_text(growth(cost, kStep, kSeconds)), exponent_text(growth(cost, kStep, kCells)),
-         fmt::format("{:.2f}", expected_growth(cost)), exponent_text(growth(cost, kRadius, kCellsEach)),
-         exponent_text(growth(cost, kRadius, kSecondsEach))});
+        for (const Cost::Step& step : full.steps)
+          if (step.h == last.h) ratio = fmt::format("{:.1f}x", step.seconds_eval / last.seconds_eval);
+    std::vector<std::string> row{cost.shape,
+                                 cost.estimator,
+                                 radius_text(cost.k, cost.alpha),
+                                 cost.evaluation,
+                                 fmt::format("{:.4g}", last.h),
+                                 fmt::format("{:.4g}", last.digital_radius),
+                                 fmt::format("{:.0f}", last.surfels),
+                                 format_seconds(last.seconds_init),
+                                 format_seconds(last.seconds_eval),
+                                 fmt::format("{:.0f}", 1e9 * kSecondsEach(last)),
+                                 fmt::format("{:.0f}", last.cells_visited / last.surfels),
+                                 fmt::format("{:.2f} %", 100 * last.restarts / last.evaluations),
+                                 ratio,
+                                 exponent_text(growth(cost, kStep, kSeconds)),
+                                 exponent_text(growth(cost, kStep, kCells)),
+                                 fmt::format("{:.2f}", expected_growth(cost)),
+                                 exponent_text(growth(cost, kRadius, kCellsEach)),
+                                 exponent_text(growth(cost, kRadius, kSecondsEach))};
+    if (centred) row.insert(row.begin() + 1, cost.centre);
+    table.rows.push_back(std::move(row));
   }
   return table;
 }
@@ -284,6 +312,7 @@ ordered_json to_json(const std::vector<Convergence>& series) {
       pairwise.push_back({{"coarse", p.coarse}, {"fine", p.fine}, {"order", p.order}});
     result.push_back({{"shape", c.shape},
                       {"estimator", c.estimator},
+                      {"centre", c.centre},
                       {"quantity", c.quantity},
                       {"norm", c.norm},
                       {"k", c.k},
@@ -320,6 +349,7 @@ ordered_json to_json(const std::vector<Cost>& costs) {
     result.push_back({{"shape", cost.shape},
                       {"estimator", cost.estimator},
                       {"evaluation", cost.evaluation},
+                      {"centre", cost.centre},
                       {"k", cost.k},
                       {"alpha", cost.alpha},
                       {"time_in_h", optional_json(growth(cost, kStep, kSeconds))},

@@ -13,7 +13,7 @@ namespace gridstep {
 
 /// The errors of one quantity in one norm along a schedule, and what they say about convergence.
 struct Convergence {
-  std::string shape, estimator, quantity, norm;
+  std::string shape, estimator, centre, quantity, norm;
   double k, alpha, noise;
   std::vector<Level> levels;
   SlopeFit fit;
@@ -27,8 +27,8 @@ struct Convergence {
 /// no_convergence.
 std::optional<double> proven_exponent(double alpha);
 
-/// Series in the order of the records, each in the norms sup, rms, mean. Records of the first evaluation
-/// alone: the others have the same sums. `seed` is that of the bootstrap.
+/// Series in the order of the records, each in the norms sup, rms, mean. At each step, records of the
+/// first evaluation alone: the others have the same sums. `seed` is that of the bootstrap.
 std::vector<Convergence> convergence_of(const std::vector<Record>& records, std::uint64_t seed);
 
 /// The cost of one way of evaluation along a schedule, as medians over the shifts.
@@ -36,7 +36,7 @@ struct Cost {
   struct Step {
     double h, digital_radius, surfels, seconds_init, seconds_eval, cells_visited, restarts, evaluations;
   };
-  std::string shape, estimator, evaluation;
+  std::string shape, estimator, evaluation, centre;
   int dimension;
   double k, alpha;
   std::vector<Step> steps;
@@ -46,7 +46,7 @@ std::vector<Cost> costs_of(const std::vector<Record>& records);
 /// Slopes and verdicts, one row a series.
 Table convergence_table(const std::vector<Convergence>& series);
 /// Times and work at the finest step, growth exponents in h (whole surface) and in R/h (one surfel), and the
-/// speed-up over the whole kernel.
+/// speed-up over the whole kernel at that step.
 Table cost_table(const std::vector<Cost>& costs);
 
 /// Every fit with its scan, pairwise orders and verdict, for other programs.

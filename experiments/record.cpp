@@ -20,6 +20,7 @@ ordered_json to_json(const Record& r) {
           {"offset", r.offset},
           {"estimator", r.estimator},
           {"evaluation", r.evaluation},
+          {"centre", r.centre},
           {"k", r.k},
           {"alpha", r.alpha},
           {"digital_radius", r.digital_radius},
@@ -53,6 +54,7 @@ Record record_from(const ordered_json& json) {
     json.at("offset").get_to(r.offset);
     json.at("estimator").get_to(r.estimator);
     json.at("evaluation").get_to(r.evaluation);
+    json.at("centre").get_to(r.centre);
     json.at("k").get_to(r.k);
     json.at("alpha").get_to(r.alpha);
     json.at("digital_radius").get_to(r.digital_radius);

@@ -14,7 +14,7 @@ namespace gridstep {
 /// What one estimator did on one digitization: a line of records.jsonl. Fields are documented in
 /// results/README.md.
 struct Record {
-  std::string shape, estimator, evaluation;
+  std::string shape, estimator, evaluation, centre;
   int dimension = 2;
   double h = 0, k = 0, alpha = 0, noise = 0;
   int shift = 0;               ///< number of the placement

@@ -128,6 +128,7 @@ std::vector<Record> run_job(const Study& study, const Job& job, const Shape<d>& 
         Record record = common;
         record.estimator = name;
         record.evaluation = to_string(evaluation);
+        record.centre = sweep.centre == KernelCentre::spels ? "spels" : "surfel";
         record.k = rule.k;
         record.alpha = rule.alpha;
         record.digital_radius = to_digital(rule.at(h), h).value;
