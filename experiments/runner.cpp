@@ -158,7 +158,7 @@ std::vector<Record> run_job(const Study& study, const Job& job, const Shape<d>& 
   return records;
 }
 
-/// Fails before anything is computed where the largest job of a sweep would not fit.
+/// Fails before anything is computed or written where the largest job of a sweep would not fit.
 void check_memory(const Sweep& sweep, const std::vector<AnyShape>& shapes) {
   const GridStep h{sweep.schedule.values().back()};
   const int threads = tbb::this_task_arena::max_concurrency();
@@ -224,6 +224,9 @@ std::vector<Record> run_study(const Study& study, const nlohmann::json& source, 
         try {
           return run_job<d>(study, job, *shape);
         } catch (const InputError& error) {
+          // A journal without a finished job would only stand in the way of the corrected study.
+          std::error_code ignored;
+          if (journal && records.empty()) std::filesystem::remove(options.journal, ignored);
           throw InputError(fmt::format("{}: {}", spec.canonical(), error.what()));
         }
       });

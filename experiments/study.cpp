@@ -77,7 +77,7 @@ Sweep read_sweep(JsonReader& reader) {
   const std::string centre = reader.text("centre", "spels");
   placed(reader, [&] { sweep.centre = parse_kernel_centre(centre); });
   sweep.shifts = reader.integer("shifts", 10);
-  if (sweep.shifts < 1) reader.fail("shifts", "at least 1");
+  if (sweep.shifts < 1 || sweep.shifts > 10000) reader.fail("shifts", "from 1 to 10000");
   sweep.rotate = reader.boolean("rotate", false);
   reader.finish();
   for (const RadiusRule& rule : sweep.radii)

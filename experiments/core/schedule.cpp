@@ -26,7 +26,7 @@ Schedule Schedule::geometric(double from, double to, int steps) {
   require(is_step(from), "from", from, positive);
   require(is_step(to), "to", to, positive);
   require(to < from, "to", to, fmt::format("less than from = {}: steps go from coarse to fine", from));
-  require(steps >= 2, "steps", steps, "at least 2");
+  require(steps >= 2 && steps <= 10000, "steps", steps, "from 2 to 10000");
 
   std::vector<double> values;
   for (int i = 0; i < steps; ++i) values.push_back(from * std::pow(to / from, double(i) / (steps - 1)));

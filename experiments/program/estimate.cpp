@@ -80,6 +80,8 @@ void write_csv(const std::string& path, const Scene<d>& scene, const Estimates& 
 template <int d>
 void run(const Options& options, const Shape<d>& shape) {
   const GridStep h{checked("--h", options.h)};
+  if (!(options.alpha >= 0 && options.alpha < 1))
+    throw InputError(fmt::format("--alpha = {}: must be in [0, 1)", options.alpha));
   const EuclideanLength R{options.has_radius
                               ? checked("--radius", options.radius)
                               : RadiusRule{checked("--k", options.k), options.alpha}.at(h).value};

@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
+#include <cerrno>
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <system_error>
 
 #include "experiments/core/build_info.hpp"
 #include "experiments/program/commands.hpp"
@@ -25,6 +27,9 @@ int main(int argc, char** argv) {
   gridstep::add_estimate_command(program);
   try {
     program.parse(argc, argv);
+    // A full disk shows when the buffer is written at the latest: after all the work, but not unnoticed.
+    if (std::fflush(stdout) != 0)
+      throw std::system_error(errno, std::generic_category(), "standard output cannot be written");
     return 0;
   } catch (const CLI::Success& request) {  // --help, --version
     return program.exit(request);

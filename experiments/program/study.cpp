@@ -40,10 +40,12 @@ std::pair<nlohmann::json, std::string> load(const Options& options) {
           entry.name + (options.full ? "-full" : "-quick")};
 }
 
-void make_folder(const fs::path& folder) {
+/// Whether it is new.
+bool make_folder(const fs::path& folder) {
   std::error_code error;
-  fs::create_directories(folder, error);
+  const bool is_new = fs::create_directories(folder, error);
   if (error) throw InputError(fmt::format("--out {}: {}", folder.string(), error.message()));
+  return is_new;
 }
 
 void run(const Options& options) {
@@ -52,9 +54,16 @@ void run(const Options& options) {
   const Study study = Study::read(json, options.study);
 
   const fs::path folder = options.out.empty() ? fs::path("results/raw") / label : fs::path(options.out);
-  make_folder(folder);
+  const bool is_new = make_folder(folder);
   const fs::path journal = folder / "journal.jsonl";
-  const std::vector<Record> records = run_study(study, json, {journal, options.resume, stderr});
+  std::error_code ignored;
+  std::vector<Record> records;
+  try {
+    records = run_study(study, json, {journal, options.resume, stderr});
+  } catch (const InputError&) {
+    if (is_new) fs::remove(folder, ignored);  // unless there is something in it
+    throw;
+  }
 
   const ordered_json head{{"schema", 1}, {"study", json}, {"seed", study.seed}, {"provenance", provenance()}};
   std::string lines = head.dump() + "\n";
@@ -76,7 +85,6 @@ void run(const Options& options) {
     write_whole(folder / "convergence.tex", to_latex(slopes));
     write_whole(folder / "cost.tex", to_latex(cost));
   }
-  std::error_code ignored;
   fs::remove(journal, ignored);
 
   std::int64_t surfels = 0, singular = 0, far = 0;
