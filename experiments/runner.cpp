@@ -42,6 +42,11 @@ std::vector<Job> jobs_of(const Study& study) {
   return jobs;
 }
 
+/// How many records a job has.
+std::size_t records_of(const Sweep& sweep) {
+  return sweep.radii.size() * sweep.estimators.size() * sweep.evaluations.size();
+}
+
 /// Proportional to the expected time: cells read at every surfel of the bounding box.
 template <int d>
 double work_of(const Sweep& sweep, const Shape<d>& shape, GridStep h) {
@@ -197,9 +202,14 @@ std::vector<Record> run_study(const Study& study, const nlohmann::json& source, 
                                                             {"seed", study.seed},
                                                             {"version", build_info().version},
                                                             {"commit", build_info().commit}});
-    for (const nlohmann::ordered_json& job : journal->records())
-      for (const nlohmann::ordered_json& record : job) records.push_back(record_from(record));
-    finished = journal->records().size();
+    for (const nlohmann::ordered_json& line : journal->records()) {
+      const bool expected = finished < jobs.size() && line.size() == records_of(*jobs[finished].sweep);
+      ++finished;
+      if (!expected)
+        throw InputError(
+            fmt::format("{}: line {} is not of this study", options.journal.string(), finished + 1));
+      for (const nlohmann::ordered_json& record : line) records.push_back(record_from(record));
+    }
   }
 
   const auto run = [&](const Job& job, auto function) {
