@@ -1,8 +1,14 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <string>
 
 namespace gridstep {
+
+/// Numbers that are read as unsigned: without it, -1 would become 2^64 - 1.
+inline std::string not_negative(const std::string& text) {
+  return text.starts_with('-') ? text + " is negative" : "";
+}
 
 // Each adds its command, with help and an example, to the program; a callback runs it and throws InputError
 // for whatever is wrong with the input.

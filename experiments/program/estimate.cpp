@@ -111,7 +111,13 @@ void run(const Options& options, const Shape<d>& shape) {
                                      how.evaluation, tbb::this_task_arena::max_concurrency()),
                  fmt::format("{} at h = {}", options.shape, h.value));
 
-  const Scene<d> scene = make_scene<d>(shape, settings);
+  const Scene<d> scene = [&] {
+    try {
+      return make_scene<d>(shape, settings);
+    } catch (const InputError& error) {
+      throw InputError(fmt::format("{}: {}", options.shape, error.what()));
+    }
+  }();
   const auto estimator = variant.make(scene.set, how);
   auto start = std::chrono::steady_clock::now();
   const auto lap = [&start] {
@@ -184,7 +190,7 @@ void add_estimate_command(CLI::App& program) {
   command->add_option("--shift", options->shift, "Sub-grid shift of the shape, in cells: X,Y[,Z]")
       ->delimiter(',');
   command->add_option("--noise", options->noise, "Kanungo noise: beta in [0, 1)");
-  command->add_option("--seed", options->seed, "Seed of the noise");
+  command->add_option("--seed", options->seed, "Seed of the noise")->check(not_negative);
   command->add_option("--csv", options->csv, "File for one row a surfel; - is standard output");
   command->add_flag("--raw", options->raw, "In the CSV, also the sums that the estimates come from");
   command->add_option("--threads", options->threads, "Number of threads (default: all)")

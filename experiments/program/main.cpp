@@ -14,7 +14,8 @@ int main(int argc, char** argv) {
   program.set_version_flag("--version", fmt::format("gridstep {} ({}{})", gridstep::build_info().version,
                                                     gridstep::build_info().commit,
                                                     gridstep::build_info().dirty ? ", modified" : ""));
-  program.require_subcommand(1);
+  // None is told below: by itself, the check would come before that of an unknown command, and hide its name.
+  program.require_subcommand(0, 1);
   program.get_formatter()->column_width(34);
   program.footer(
       "Examples:\n"
@@ -27,6 +28,7 @@ int main(int argc, char** argv) {
   gridstep::add_estimate_command(program);
   try {
     program.parse(argc, argv);
+    if (program.get_subcommands().empty()) throw CLI::RequiredError("A command: list, study or estimate");
     // A full disk shows when the buffer is written at the latest: after all the work, but not unnoticed.
     if (std::fflush(stdout) != 0)
       throw std::system_error(errno, std::generic_category(), "standard output cannot be written");

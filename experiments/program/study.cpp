@@ -119,7 +119,8 @@ void add_study_command(CLI::App& program) {
   command->add_flag("--resume", options->resume, "Go on with a run that was interrupted");
   command->add_option("--threads", options->threads, "Number of threads (default: all)")
       ->check(CLI::Range(1, 4096));
-  command->add_option("--seed", options->seed, "Seed of shifts, rotations, noise and bootstrap");
+  command->add_option("--seed", options->seed, "Seed of shifts, rotations, noise and bootstrap")
+      ->check(not_negative);
   command->add_flag("--csv", options->csv, "Also write the tables as CSV");
   command->add_flag("--latex", options->latex, "Also write the tables as LaTeX");
   command->footer(
