@@ -1,0 +1,439 @@
+#!/usr/bin/env python3
+"""Runs the built program as a user does: wrong input, the CSV of estimates, studies and their interruption.
+
+    scripts/program_test.py PATH_OF_GRIDSTEP [unittest options]
+"""
+
+import csv
+import io
+import json
+import os
+import re
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+from pathlib import Path
+
+PROGRAM = None
+
+STUDY = {
+    "name": "small",
+    "sweeps": [
+        {
+            "shapes": ["disk:radius=5", "ellipse:a=6,b=3"],
+            "estimators": ["ii"],
+            "evaluations": ["masks", "full"],
+            "radii": [{"k": 2}],
+            "schedule": {"from": 1, "to": 0.1, "steps": 5},
+            "shifts": 2,
+        }
+    ],
+}
+
+
+def run(*arguments, folder=None, **keywords):
+    return subprocess.run(
+        [PROGRAM, *map(str, arguments)], cwd=folder, capture_output=True, text=True, timeout=60, **keywords
+    )
+
+
+class InFolder(unittest.TestCase):
+    """Each test runs in an empty folder of its own."""
+
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory(prefix="gridstep_")
+        self.addCleanup(temporary.cleanup)
+        self.folder = Path(temporary.name)
+
+    def files(self):
+        return sorted(str(p.relative_to(self.folder)) for p in self.folder.rglob("*"))
+
+    def run_here(self, *arguments, **keywords):
+        return run(*arguments, folder=self.folder, **keywords)
+
+    def must_work(self, *arguments, **keywords):
+        result = self.run_here(*arguments, **keywords)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return result
+
+    def must_fail(self, arguments, *named):
+        """One line on standard error that holds every text of `named`, and no trace in the folder."""
+        before = self.files()
+        result = self.run_here(*arguments)
+        self.assertNotEqual(result.returncode, 0)
+        self.assertGreater(result.returncode, 0, "killed by a signal")
+        self.assertEqual(result.stdout, "")
+        self.assertTrue(result.stderr.startswith("gridstep: "), result.stderr)
+        self.assertEqual(result.stderr.count("\n"), 1, result.stderr)
+        self.assertTrue(result.stderr.endswith("\n"))
+        for text in named:
+            self.assertIn(text, result.stderr)
+        self.assertEqual(self.files(), before, "something was left behind")
+        return result
+
+    def write_study(self, study, name="small.json"):
+        path = self.folder / name
+        path.write_text(study if isinstance(study, str) else json.dumps(study))
+        return path
+
+
+class WrongInput(InFolder):
+    def test_commands(self):
+        for arguments, named in [
+            ((), ["list, study or estimate"]),
+            (("frobnicate",), ["frobnicate"]),
+            (("--frobnicate",), ["--frobnicate"]),
+            (("list", "colours"), ["colours", "shapes"]),
+            (("study",), ["study"]),
+            (("study", "nosuch"), ["unknown study 'nosuch'", "paper-2d"]),
+            (("study", "paper-2d", "--quick", "--full"), ["--quick", "--full"]),
+            (("study", "paper-2d", "--threads", "0"), ["--threads", "0"]),
+            (("study", "paper-2d", "--seed", "-1"), ["--seed", "-1"]),
+            (("study", "paper-2d", "--seed", "x"), ["--seed", "x"]),
+        ]:
+            with self.subTest(arguments=arguments):
+                self.must_fail(arguments, *named)
+
+    def test_estimate(self):
+        good = {"--shape": "disk:radius=5", "--h": "0.5", "--estimator": "ii", "--k": "3", "--csv": "out.csv"}
+        cases = [
+            ({"--shape": "dsik"}, ["unknown shape 'dsik'", "disk"]),
+            ({"--shape": "disk:diameter=3"}, ["'disk'", "'diameter'", "radius"]),
+            ({"--shape": "disk:radius=-3"}, ["radius", "-3"]),
+            ({"--shape": "disk:radius=inf"}, ["radius", "inf"]),
+            ({"--shape": "disk:radius=nan"}, ["radius", "nan"]),
+            ({"--shape": "disk:radius=3x"}, ["radius", "3x"]),
+            ({"--shape": "disk:radius=1,radius=2"}, ["radius", "twice"]),
+            ({"--shape": "disk:radius="}, ["radius"]),
+            ({"--shape": None}, ["--shape"]),
+            ({"--shape": "disk:radius=0.01,cx=0.25,cy=0.25"}, ["disk:radius=0.01", "h = 0.5", "coarser"]),
+            ({"--shape": "disk:cx=1e30"}, ["disk:cx=1e30", "h = 0.5"]),
+            ({"--shape": "polynomial:formula=x^2+y^2-"}, ["polynomial", "x^2+y^2-", "character 9"]),
+            ({"--shape": "polynomial:formula=w"}, ["polynomial", "'w'"]),
+            ({"--shape": "polynomial:formula=x^2+y^2+z^2+1"}, ["polynomial", "x^2+y^2+z^2+1"]),
+            ({"--shape": "polynomial:formula=x"}, ["polynomial", "formula=x"]),
+            ({"--shape": "polynomial:formula=x^2+y^2-1"}, ["polynomial", "x^2+y^2-1"]),
+            ({"--estimator": "iii"}, ["unknown estimator 'iii'", "ii-covariance"]),
+            ({"--estimator": "ii-covariance"}, ["ii-covariance", "2D"]),
+            ({"--estimator": None}, ["--estimator"]),
+            ({"--h": "-1"}, ["--h", "-1"]),
+            ({"--h": "0"}, ["--h", "0"]),
+            ({"--h": "nan"}, ["--h", "nan"]),
+            ({"--h": "inf"}, ["--h", "inf"]),
+            ({"--h": "abc"}, ["--h", "abc"]),
+            ({"--h": "0.5x"}, ["--h", "0.5x"]),
+            ({"--h": None}, ["--h"]),
+            ({"--h": "1e-7"}, ["disk:radius=5", "1e-07", "memory"]),
+            ({"--h": "1e-300"}, ["disk:radius=5", "1e-300"]),
+            ({"--k": "0"}, ["--k", "0"]),
+            ({"--k": "-2"}, ["--k", "-2"]),
+            ({"--k": "nan"}, ["--k", "nan"]),
+            ({"--k": "0.1"}, ["R/h", "h = 0.5"]),
+            ({"--k": None}, ["--radius", "--k"]),
+            ({"--k": None, "--radius": "0.4"}, ["R/h = 0.8", "R = 0.4", "h = 0.5"]),
+            ({"--k": None, "--radius": "inf"}, ["--radius", "inf"]),
+            ({"--k": None, "--radius": "1e9"}, ["memory"]),
+            ({"--k": None, "--radius": "2", "--alpha": "0.4"}, ["--alpha", "--k"]),
+            ({"--radius": "2"}, ["--radius", "--k"]),
+            ({"--alpha": "1"}, ["--alpha", "1"]),
+            ({"--alpha": "-0.1"}, ["--alpha", "-0.1"]),
+            ({"--alpha": "nan"}, ["--alpha", "nan"]),
+            ({"--noise": "1"}, ["--noise", "1"]),
+            ({"--noise": "-0.5"}, ["--noise", "-0.5"]),
+            ({"--noise": "nan"}, ["--noise", "nan"]),
+            ({"--shift": "0.1"}, ["--shift", "1", "2D"]),
+            ({"--shift": "0.1,nan"}, ["--shift", "nan"]),
+            ({"--shift": "0.1,b"}, ["--shift", "b"]),
+            ({"--shift": "1e300,0"}, ["disk:radius=5"]),
+            ({"--evaluation": "fast"}, ["unknown evaluation 'fast'", "masks"]),
+            ({"--centre": "pointel"}, ["'pointel'", "surfel"]),
+            ({"--threads": "0"}, ["--threads", "0"]),
+            ({"--threads": "-1"}, ["--threads", "-1"]),
+            ({"--seed": "-1"}, ["--seed", "-1"]),
+            ({"--csv": "missing/out.csv"}, ["missing/out.csv"]),
+            ({"--csv": "."}, [".", "directory"]),
+            ({"--csv": "/dev/full"}, ["/dev/full", "No space left"]),
+        ]
+        for change, named in cases:
+            with self.subTest(change=change):
+                options = {**good, **change}
+                arguments = [part for pair in options.items() if pair[1] is not None for part in pair]
+                self.must_fail(["estimate", *arguments], *named)
+        self.must_work("estimate", *[part for pair in good.items() for part in pair])  # else cases prove nothing
+        self.assertEqual(self.files(), ["out.csv"])
+
+    def test_study_files(self):
+        def changed(**sweep):
+            return {**STUDY, "sweeps": [{**STUDY["sweeps"][0], **sweep}]}
+
+        for study, named in [
+            ("", ["small.json"]),
+            ('{"name": "a",\n "sweeps": [}', ["small.json", "line 2"]),
+            ('{"name": "a", "name": "b"}', ["'name'", "twice"]),
+            ("[1]", ["[1]", "object"]),
+            ({**STUDY, "sweep": 1}, ["unknown key 'sweep'"]),
+            ({**STUDY, "seed": -1}, ["seed = -1"]),
+            (changed(shapes=["dsik"]), ["sweeps[0]", "'dsik'"]),
+            (changed(shapes=[]), ["sweeps[0]", "shapes = []"]),
+            (changed(estimators=["iii"]), ["sweeps[0]", "'iii'"]),
+            (changed(radii=[{"k": -1}]), ["sweeps[0].radii[0]", "k = -1"]),
+            (changed(radii=[{"k": 0.1}]), ["R/h", "h = 1", "k = 0.1", "alpha = 0.333"]),
+            (changed(shifts=0), ["sweeps[0]", "shifts = 0"]),
+            (changed(schedule={"values": [1, 1e-7]}), ["disk:radius=5", "1e-07", "memory"]),
+            (changed(shapes=["disk:radius=0.001"]), ["disk:radius=0.001", "h = 1", "coarser"]),
+        ]:
+            with self.subTest(study=study):
+                path = self.write_study(study)
+                self.must_fail(["study", path, "--out", "out"], *named)
+
+    def test_study_options(self):
+        self.write_study(STUDY)
+        self.must_fail(["study", "small.json", "--full"], "--full", "small.json")
+        self.must_fail(["study", "missing.json"], "missing.json")
+        (self.folder / "file").write_text("")
+        self.must_fail(["study", "small.json", "--out", "file/below"], "--out", "file/below")
+        self.must_fail(["study", "small.json", "--out", "file"], "file")
+
+    def test_standard_output_that_is_full(self):
+        with open("/dev/full", "w") as full:
+            result = subprocess.run([PROGRAM, "list"], stdout=full, stderr=subprocess.PIPE, text=True)
+        self.assertGreater(result.returncode, 0)
+        self.assertEqual(result.stderr.count("\n"), 1, result.stderr)
+
+
+class Help(unittest.TestCase):
+    def test_every_command_has_an_example(self):
+        for command in ([], ["list"], ["study"], ["estimate"]):
+            with self.subTest(command=command):
+                result = run(*command, "--help")
+                self.assertEqual(result.returncode, 0)
+                self.assertEqual(result.stderr, "")
+                self.assertRegex(result.stdout, r"Examples?:\n  gridstep ")
+
+    def test_version(self):
+        self.assertRegex(run("--version").stdout, r"^gridstep \d+\.\d+\.\d+ \(.+\)\n$")
+
+    def test_list(self):
+        everything = json.loads(run("list", "--json").stdout)
+        self.assertEqual(list(everything), ["shapes", "estimators", "studies"])
+        text = run("list").stdout
+        for kind, entries in everything.items():
+            self.assertEqual(json.loads(run("list", kind, "--json").stdout), {kind: entries})
+            for entry in entries:
+                self.assertIn(f"  {entry['name']} ", text)
+
+
+def neighbours(a, b):
+    """Linels share a pointel: in Khalimsky coordinates, the even corners next to their open direction."""
+
+    def pointels(x, y):
+        return {(x - 1, y), (x + 1, y)} if x % 2 else {(x, y - 1), (x, y + 1)}
+
+    return bool(pointels(*a) & pointels(*b))
+
+
+class Estimate(InFolder):
+    FLAT = ("estimate", "--shape", "ellipse:a=6,b=3", "--h", "0.25", "--estimator", "ii", "--k", "2")
+    SOLID = ("estimate", "--shape", "ellipsoid:a=3,b=4,c=5", "--h", "0.5", "--radius", "1.5")
+
+    def rows(self, *arguments):
+        result = self.must_work(*arguments, "--csv", "out.csv")
+        text = (self.folder / "out.csv").read_text()
+        table = list(csv.DictReader(io.StringIO(text)))
+        count = int(re.search(r"surfels (\d+)", result.stdout).group(1))
+        self.assertEqual(len(table), count)
+        for row in table:
+            self.assertNotIn(None, row.values())
+            self.assertNotIn(None, row)
+        return text.split("\n")[0], table
+
+    def check_cells(self, table, axes, h):
+        seen = set()
+        for row in table:
+            cell = tuple(int(row["k" + axis]) for axis in axes)
+            self.assertEqual(sum(c % 2 == 0 for c in cell), 1, cell)
+            for c, axis in zip(cell, axes):
+                self.assertAlmostEqual(float(row[axis]), h * (c - 1) / 2, places=12)
+            seen.add(cell)
+        self.assertEqual(len(seen), len(table), "a surfel twice")
+
+    def test_columns_in_2d(self):
+        header, table = self.rows(*self.FLAT)
+        self.assertEqual(header, "kx,ky,x,y,kappa,true_kappa,error")
+        self.check_cells(table, "xy", 0.25)
+        for row in table:
+            self.assertAlmostEqual(float(row["error"]), float(row["kappa"]) - float(row["true_kappa"]), places=12)
+            self.assertTrue(3 / 36 - 1e-9 <= float(row["true_kappa"]) <= 6 / 9 + 1e-9)
+        header, table = self.rows(*self.FLAT, "--raw")
+        self.assertEqual(header, "kx,ky,x,y,kappa,sum,true_kappa,error")
+        for row in table:  # kappa = 3 pi/(2 R) - 3 A/R^3, A = h^2 sum, R = 2 h^(1/3)
+            R = 2 * 0.25 ** (1 / 3)
+            kappa = 3 * 3.141592653589793 / (2 * R) - 3 * 0.25**2 * float(row["sum"]) / R**3
+            self.assertAlmostEqual(float(row["kappa"]), kappa, places=10)
+
+    def test_contours_are_walked(self):
+        cells = [(int(row["kx"]), int(row["ky"])) for row in self.rows(*self.FLAT)[1]]
+        for before, after in zip(cells, cells[1:] + cells[:1]):
+            self.assertTrue(neighbours(before, after), (before, after))
+        # The shape on the left: the area inside the walk is positive.
+        twice = sum(a[0] * b[1] - a[1] * b[0] for a, b in zip(cells, cells[1:] + cells[:1]))
+        self.assertGreater(twice, 0)
+
+    def test_columns_in_3d(self):
+        header, table = self.rows(*self.SOLID, "--estimator", "ii", "--raw")
+        self.assertEqual(header, "kx,ky,kz,x,y,z,mean,sum,true_mean,error")
+        self.check_cells(table, "xyz", 0.5)
+        header, table = self.rows(*self.SOLID, "--estimator", "ii-covariance", "--raw")
+        vectors = [f"{v}_{axis}" for v in ("normal", "dir1", "dir2") for axis in "xyz"]
+        names = header.split(",")
+        self.assertEqual(names[:6], ["kx", "ky", "kz", "x", "y", "z"])
+        quantities = names[6 : names.index("sum")]
+        for name in ["mean", "gaussian", "k1", "k2", *vectors]:
+            self.assertIn(name, quantities)
+        raw = ["sum", "cov_xx", "cov_xy", "cov_xz", "cov_yy", "cov_yz", "cov_zz"]
+        truth = ["true_" + name for name in quantities]
+        at = 6 + len(quantities)
+        self.assertEqual(names[at : at + 7], raw)
+        self.assertEqual(names[at + 7 : at + 7 + len(truth)], truth)
+        errors = names[at + 7 + len(truth) :]
+        self.assertEqual(errors[0], "error")
+        self.assertTrue(all(name.startswith("error_") for name in errors[1:]))
+        self.check_cells(table, "xyz", 0.5)
+        for row in table:
+            for name in errors[1:]:
+                quantity = name.removeprefix("error_")
+                difference = float(row[quantity]) - float(row["true_" + quantity])
+                self.assertAlmostEqual(float(row[name]), difference, places=10)
+
+    def test_surfels_at_edges_have_no_truth(self):
+        _, table = self.rows(
+            *("estimate", "--shape", "square", "--h", "0.25", "--shift", "0.3,0.2", "--estimator", "ii", "--k", "2")
+        )
+        for row in table:
+            self.assertEqual(row["true_kappa"] == "", row["error"] == "")
+            self.assertNotEqual(row["kappa"], "")
+
+    def test_evaluations_and_threads_agree(self):
+        for base in (self.FLAT, (*self.SOLID, "--estimator", "ii-covariance")):
+            texts = set()
+            for evaluation in ("full", "masks"):
+                for threads in (1, 2):
+                    options = ("--evaluation", evaluation, "--threads", threads, "--raw", "--csv", "out.csv")
+                    self.must_work(*base, *options)
+                    texts.add((self.folder / "out.csv").read_text())
+            self.assertEqual(len(texts), 1)
+
+    def test_csv_on_standard_output(self):
+        self.must_work(*self.FLAT, "--csv", "out.csv")
+        for name in ("-", "/dev/stdout"):
+            result = self.must_work(*self.FLAT, "--csv", name)
+            self.assertEqual(result.stdout, (self.folder / "out.csv").read_text(), "nothing but the CSV")
+            self.assertIn("surfels", result.stderr)
+
+    def test_a_failure_keeps_the_file_of_before(self):
+        (self.folder / "out.csv").write_text("precious")
+        self.must_fail([*self.FLAT, "--shift", "nan,0", "--csv", "out.csv"], "nan")
+        self.assertEqual((self.folder / "out.csv").read_text(), "precious")
+
+    def test_noise_comes_from_the_seed(self):
+        texts = []
+        for seed in (1, 1, 2):
+            self.must_work(*self.FLAT, "--noise", "0.3", "--seed", seed, "--csv", "out.csv")
+            texts.append((self.folder / "out.csv").read_text())
+        self.assertEqual(texts[0], texts[1])
+        self.assertNotEqual(texts[0], texts[2])
+
+
+def records_of(path):
+    """Head and records, without what differs from run to run."""
+    head, *records = map(json.loads, path.read_text().splitlines())
+    for record in records:
+        del record["seconds"]
+    return head, records
+
+
+class Study(InFolder):
+    def test_outputs(self):
+        self.write_study(STUDY)
+        result = self.must_work("study", "small.json", "--out", "a/b", "--csv", "--latex")
+        names = ["convergence.csv", "convergence.tex", "cost.csv", "cost.tex", "records.jsonl", "summary.json"]
+        self.assertEqual(sorted(os.listdir(self.folder / "a/b")), names, "and no journal")
+        head, records = records_of(self.folder / "a/b/records.jsonl")
+        self.assertEqual(len(records), 2 * 5 * 2 * 2)
+        self.assertEqual(head["study"], STUDY)
+        self.assertEqual(head["seed"], 1)
+        text = (self.folder / "a/b/summary.json").read_text()
+
+        def refuse(constant):
+            self.fail(f"{constant} is no JSON")
+
+        summary = json.loads(text, parse_constant=refuse)
+        self.assertEqual(summary["study"], STUDY)
+        for key in ("commit", "compiler", "flags", "cpu"):
+            self.assertIn(key, json.dumps(summary["provenance"]))
+        self.assertEqual(len(summary["convergence"]), 2 * 3)
+        self.assertEqual(len(summary["cost"]), 2 * 2)
+        with open(self.folder / "a/b/convergence.csv", newline="") as file:
+            self.assertEqual(len(list(csv.reader(file))), 1 + 2 * 3)
+        self.assertIn(r"\toprule", (self.folder / "a/b/convergence.tex").read_text())
+        self.assertIn("written: a/b/records.jsonl", result.stdout)
+        self.assertIn("100%", result.stderr)
+
+    def test_the_default_folder_and_the_seed(self):
+        self.write_study(STUDY)
+        self.must_work("study", "small.json", "--seed", 5, "--threads", 1)
+        folder = self.folder / "results/raw/small"
+        self.assertEqual(sorted(os.listdir(folder)), ["records.jsonl", "summary.json"])
+        head, records = records_of(folder / "records.jsonl")
+        self.assertEqual(head["seed"], 5)
+        self.assertEqual(head["study"]["seed"], 5, "the study that gives these numbers again")
+        self.must_work("study", "small.json", "--out", "other", "--threads", 2)
+        self.assertNotEqual(records_of(self.folder / "other/records.jsonl")[1], records)
+        self.write_study(head["study"])
+        self.must_work("study", "small.json", "--out", "again", "--threads", 2)
+        self.assertEqual(records_of(self.folder / "again/records.jsonl")[1], records)
+
+    def test_a_killed_study_goes_on(self):
+        study = json.loads(json.dumps(STUDY))
+        study["sweeps"][0]["schedule"] = {"from": 0.2, "to": 0.02, "steps": 6}
+        self.write_study(study)
+        self.must_work("study", "small.json", "--out", "whole")
+        _, expected = records_of(self.folder / "whole/records.jsonl")
+
+        journal = self.folder / "killed/journal.jsonl"
+        command = [PROGRAM, "study", "small.json", "--out", "killed"]
+        process = subprocess.Popen(
+            command, cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
+        )
+        deadline = time.monotonic() + 30
+        while time.monotonic() < deadline and process.poll() is None:
+            if journal.exists() and journal.read_bytes().count(b"\n") >= 4:
+                process.send_signal(signal.SIGKILL)
+                break
+            time.sleep(0.001)
+        process.wait()
+        self.assertEqual(process.returncode, -signal.SIGKILL, "finished before it could be killed")
+        self.assertEqual(os.listdir(self.folder / "killed"), ["journal.jsonl"])
+
+        unfinished = journal.read_bytes()
+        self.must_fail(["study", "small.json", "--out", "killed"], str(Path("killed/journal.jsonl")), "--resume")
+        self.must_fail(
+            ["study", "small.json", "--out", "killed", "--resume", "--seed", "9"],
+            str(Path("killed/journal.jsonl")),
+            "not the journal of this study",
+        )
+        self.assertEqual(journal.read_bytes(), unfinished)
+
+        self.must_work("study", "small.json", "--out", "killed", "--resume")
+        self.assertEqual(sorted(os.listdir(self.folder / "killed")), ["records.jsonl", "summary.json"])
+        self.assertEqual(records_of(self.folder / "killed/records.jsonl")[1], expected)
+
+
+if __name__ == "__main__":
+    if len(sys.argv) < 2:
+        sys.exit(__doc__)
+    PROGRAM = os.path.abspath(sys.argv.pop(1))
+    unittest.main()
