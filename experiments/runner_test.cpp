@@ -105,12 +105,14 @@ TEST(RunStudy, FillsARecord) {
 }
 
 TEST(RunStudy, ComparesWithTheTruthOfTheSameSurfel) {
-  // The curvature of this ellipse runs from 3/36 to 6/9: truth in another order, or of another place, would
-  // leave errors of that size. The disk has but one curvature.
+  // Curvature along this flower spreads by 0.087 around its mean: estimates compared with the truth of other
+  // surfels would be off by that much at least. Half of it leaves room for the estimator's own error.
   json study = flat();
-  study["sweeps"][0]["schedule"] = {{"values", {0.1, 0.05}}};
+  study["sweeps"][0]["shapes"] = {"flower:radius=20,amplitude=7,petals=3"};
+  study["sweeps"][0]["radii"] = {{{"k", 5}}};
+  study["sweeps"][0]["schedule"] = {{"values", {0.05, 0.02}}};
   study["sweeps"][0]["evaluations"] = {"masks"};
-  for (const Record& r : run(study)) EXPECT_LT(r.errors.at(0).second.rms, 0.06) << to_json(r);
+  for (const Record& r : run(study)) EXPECT_LT(r.errors.at(0).second.rms, 0.087 / 2) << to_json(r);
 }
 
 TEST(RunStudy, HasTheQuantitiesOfTheTheoryIn3D) {
@@ -119,7 +121,6 @@ TEST(RunStudy, HasTheQuantitiesOfTheTheoryIn3D) {
     for (const auto& [quantity, norms] : r.errors) {
       names.push_back(quantity);
       EXPECT_EQ(std::int64_t(norms.count), r.surfels);
-      EXPECT_LT(norms.rms, 0.5) << quantity;
     }
     EXPECT_FALSE(names.empty());
     if (r.estimator == "ii") {
@@ -284,7 +285,7 @@ TEST_F(StudyJournal, IsReadAndNotRepeated) {
   std::string text = content_of(journal_);
   const std::size_t at = text.find("\"surfels\":");
   ASSERT_NE(at, std::string::npos);
-  text.insert(at + 10, "9");
+  text.insert(at + 10, 1, '9');
   std::ofstream(journal_, std::ios::trunc) << text;
   EXPECT_GT(run(study_, {journal_, true, nullptr}).front().surfels, 90);
 }

@@ -114,7 +114,7 @@ class WrongInput(InFolder):
             ({"--shape": "polynomial:formula=x^2+y^2-"}, ["polynomial", "x^2+y^2-", "character 9"]),
             ({"--shape": "polynomial:formula=w"}, ["polynomial", "'w'"]),
             ({"--shape": "polynomial:formula=x^2+y^2+z^2+1"}, ["polynomial", "x^2+y^2+z^2+1"]),
-            ({"--shape": "polynomial:formula=x"}, ["polynomial", "formula=x"]),
+            ({"--shape": "polynomial:formula=x"}, ["polynomial 'x'", "bound"]),
             ({"--shape": "polynomial:formula=x^2+y^2-1"}, ["polynomial", "x^2+y^2-1"]),
             ({"--estimator": "iii"}, ["unknown estimator 'iii'", "ii-covariance"]),
             ({"--estimator": "ii-covariance"}, ["ii-covariance", "2D"]),

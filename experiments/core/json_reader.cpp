@@ -117,8 +117,11 @@ int JsonReader::integer(const std::string& key, int otherwise) {
 
 std::uint64_t JsonReader::seed(const std::string& key, std::uint64_t otherwise) {
   if (!has(key)) return otherwise;
-  if (!value(key).is_number_unsigned()) fail(key, "an integer from 0 to 2^64 - 1");
-  return value(key).get<std::uint64_t>();
+  // Numbers set in a program are signed ones even where they are not negative.
+  const json& found = value(key);
+  if (!found.is_number_unsigned() && !(found.is_number_integer() && found.get<std::int64_t>() >= 0))
+    fail(key, "an integer from 0 to 2^64 - 1");
+  return found.get<std::uint64_t>();
 }
 
 bool JsonReader::boolean(const std::string& key, bool otherwise) {
