@@ -24,7 +24,7 @@ int main() {
     if (!std::isfinite(error)) return 1;
     sup = std::max(sup, error);
   }
-  // The curvature goes from b/a^2 = 0.0175 to a/b^2 = 0.41; a sign or a unit that is wrong costs more than this.
+  // The curvature goes from b/a^2 = 0.0175 to a/b^2 = 0.41: a wrong sign or unit costs more than 0.1.
   std::printf("%zu surfels, sup error %.4f\n", estimate.size(), sup);
   return estimate.size() > 1000 && sup < 0.1 ? 0 : 1;
 }
