@@ -80,6 +80,8 @@ void write_csv(const std::string& path, const Scene<d>& scene, const Estimates& 
 template <int d>
 void run(const Options& options, const Shape<d>& shape) {
   const GridStep h{checked("--h", options.h)};
+  if (!std::isfinite(options.alpha))
+    throw InputError(fmt::format("--alpha = {}: must be finite", options.alpha));
   const EuclideanLength R{options.has_radius
                               ? checked("--radius", options.radius)
                               : RadiusRule{checked("--k", options.k), options.alpha}.at(h).value};
@@ -109,7 +111,13 @@ void run(const Options& options, const Shape<d>& shape) {
                                      how.evaluation, tbb::this_task_arena::max_concurrency()),
                  fmt::format("{} at h = {}", options.shape, h.value));
 
-  const Scene<d> scene = make_scene<d>(shape, settings);
+  const Scene<d> scene = [&] {
+    try {
+      return make_scene<d>(shape, settings);
+    } catch (const InputError& error) {
+      throw InputError(options.shape + ": " + error.what());
+    }
+  }();
   const auto estimator = variant.make(scene.set, how);
   auto start = std::chrono::steady_clock::now();
   const auto lap = [&start] {
