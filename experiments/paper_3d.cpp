@@ -6,7 +6,8 @@ namespace gridstep {
 /// with R = 3 h^(1/3). The blobby cube is ten times smaller than the others: its steps are too, and its k is
 /// such that R is the same part of its size.
 StudyEntry describe_paper_3d() {
-  return {"paper-3d", "mean, Gaussian and principal curvatures on sphere, rounded cube, Goursat's surface, blobby cube",
+  return {"paper-3d",
+          "mean, Gaussian and principal curvatures on sphere, rounded cube, Goursat's surface, blobby cube",
           R"json({
   "name": "paper-3d",
   "description": "3D curvatures by integral invariants, R = 3 h^(1/3)",

@@ -2,6 +2,7 @@
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <memory>
@@ -80,6 +81,8 @@ void write_csv(const std::string& path, const Scene<d>& scene, const Estimates& 
 template <int d>
 void run(const Options& options, const Shape<d>& shape) {
   const GridStep h{checked("--h", options.h)};
+  if (!std::isfinite(options.alpha))
+    throw InputError(fmt::format("--alpha = {}: must be finite", options.alpha));
   const EuclideanLength R{options.has_radius
                               ? checked("--radius", options.radius)
                               : RadiusRule{checked("--k", options.k), options.alpha}.at(h).value};
@@ -109,7 +112,13 @@ void run(const Options& options, const Shape<d>& shape) {
                                      how.evaluation, tbb::this_task_arena::max_concurrency()),
                  fmt::format("{} at h = {}", options.shape, h.value));
 
-  const Scene<d> scene = make_scene<d>(shape, settings);
+  const Scene<d> scene = [&] {
+    try {
+      return make_scene<d>(shape, settings);
+    } catch (const InputError& error) {
+      throw InputError(options.shape + ": " + error.what());
+    }
+  }();
   const auto estimator = variant.make(scene.set, how);
   auto start = std::chrono::steady_clock::now();
   const auto lap = [&start] {
@@ -154,10 +163,13 @@ void run(const Options& options, const Shape<d>& shape) {
     fmt::print(out, "error of {:<9} sup {}  rms {}  mean {}\n", name, format_error(norms.sup),
                format_error(norms.rms), format_error(norms.mean));
   }
-  fmt::print(
-      out, "{}: {} kernel evaluations, {} cells visited, {} restarts; kernel {} cells, all masks {} cells\n",
-      options.evaluation, work.evaluations, work.cells_visited, work.restarts, work.kernel_size,
-      work.mask_cells);
+  fmt::print(out, "{}: {} kernel evaluations, {} cells visited, {} restarts; kernel of {} cells",
+             options.evaluation, work.evaluations, work.cells_visited, work.restarts, work.kernel_size);
+  if (!work.mask_sizes.empty()) {
+    const auto [least, most] = std::minmax_element(work.mask_sizes.begin(), work.mask_sizes.end());
+    fmt::print(out, ", {} masks that gain (and lose) {} to {}", work.mask_sizes.size(), *least, *most);
+  }
+  fmt::print(out, "\n");
   fmt::print(out, "init {}, evaluation {} ({:.0f} ns a surfel)\n", format_seconds(seconds_init),
              format_seconds(seconds_eval), 1e9 * seconds_eval / double(scene.surfels.size()));
 }

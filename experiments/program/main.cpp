@@ -6,6 +6,7 @@
 
 #include "experiments/core/build_info.hpp"
 #include "experiments/program/commands.hpp"
+#include "shapes/base/contracts.hpp"
 
 int main(int argc, char** argv) {
   CLI::App program{"gridstep: multigrid convergence of digital curvature estimators"};
@@ -24,6 +25,10 @@ int main(int argc, char** argv) {
   gridstep::add_study_command(program);
   gridstep::add_estimate_command(program);
   try {
+    // The parser would only say that a command is missing.
+    const auto names = [&](const CLI::App* command) { return argc > 1 && command->check_name(argv[1]); };
+    if (argc > 1 && argv[1][0] != '-' && program.get_subcommands(names).empty())
+      throw gridstep::InputError(fmt::format("unknown command '{}'; known: list, study, estimate", argv[1]));
     program.parse(argc, argv);
     return 0;
   } catch (const CLI::Success& request) {  // --help, --version

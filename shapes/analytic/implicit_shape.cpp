@@ -424,7 +424,8 @@ RealBox<d> bounds_of(const Formula& formula, double bound) {
     if (!box) fail("is unbounded, or not proved bounded, in the box of half side 1024; try bound=");
   }
   if (!reaches_zero<d>(formula, *box))
-    fail(fmt::format("is never negative in the box of half side {}: the shape is empty", box->max()[0]));
+    fail(bound > 0 ? fmt::format("is never negative in the box of half side {}: the shape is empty", bound)
+                   : "is never negative: the shape is empty");
   for (int axis = 0; axis < d; ++axis)
     for (const int sign : {-1, +1}) {
       double& face = (sign > 0 ? box->max() : box->min())[axis];
