@@ -14,7 +14,7 @@ int main() {
   settings.h = GridStep{0.05};
   const Scene<2> scene = make_scene<2>(*ellipse, settings);
   const auto ii = find_estimator("ii").variant<2>().make(scene.set, {});
-  ii->init(settings.h, EuclideanLength{3 * std::cbrt(settings.h.value)});
+  ii->init(settings.h, EuclideanLength{5 * std::cbrt(settings.h.value)});
   const std::vector<double> estimate = ii->eval(scene.surfels)["kappa"];
   const Truth truth = truth_at_surfels<2>(*ellipse, settings, scene.surfels, {"kappa"});
 
