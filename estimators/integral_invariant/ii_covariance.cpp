@@ -11,8 +11,9 @@ namespace {
 /// All curvatures of a surface from the covariance of the digital set in the ball:
 ///   J = h^5 (sum pp' - (sum p)(sum p)' / n), p in cells, the mean over the surfel's two spels.
 ///   Units  1/length (gaussian: 1/length^2), positive where the set is convex; directions are unit vectors.
-///   Bound  sup error of k1 and k2, and so of mean and gaussian, O(h^1/3) with R = k h^1/3 [Coeurjolly, Lachaud, Levallois, CVIU 2014,
-///   theorem 3]. Cost   that of `ii` times a constant for ten sums in place of one.
+///   Bound  sup error of k1 and k2, and so of mean and gaussian, O(h^1/3) with R = k h^1/3 [Coeurjolly,
+///   Lachaud, Levallois, CVIU 2014, theorem 3]. Cost   that of `ii` times a constant for ten sums in place of
+///   one.
 class IntegralInvariantCovariance final : public Estimator<3> {
  public:
   static constexpr std::array kQuantities{"mean",     "gaussian", "k1",     "k2",     "normal_x",

@@ -28,13 +28,16 @@ class ImplicitShape final : public Shape<d> {
     Jet2<d> f;  // there
     bool singular;
   };
+  Side side_of_polynomial(const RealBox<d>& box) const;
   double value(const RealPoint<d>& p) const;
   Jet2<d> jet(const RealPoint<d>& p) const;
   std::optional<Foot> newton(const RealPoint<d>& query, const RealPoint<d>& start, double within) const;
   std::optional<Foot> descend(const RealPoint<d>& query, const RealPoint<d>& start, double within) const;
   std::optional<RealPoint<d>> correct(RealPoint<d> p, double within) const;
   std::vector<RealPoint<d>> crossings(const RealPoint<d>& query, double within) const;
-  bool certain(const RealPoint<d>& query, const Foot& foot) const;
+  bool proves_closest(const RealPoint<d>& query, const Foot& foot) const;
+  bool is_minimum(const RealPoint<d>& query, const Foot& foot) const;
+  std::optional<Foot> search(const RealPoint<d>& query, double within) const;
   BoundaryPoint<d> boundary_point(const RealPoint<d>& query, const Foot& foot) const;
   std::optional<BoundaryPoint<d>> nearest_cut(const RealPoint<d>& query) const;
   bool is_singular(const Jet2<d>& f) const;
