@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "estimators/integral_invariant/kernel.hpp"
@@ -40,10 +41,11 @@ struct EvaluationWork {
 /// Points are taken block by block; a block's window is filled once. Within a block, `masks` walks a spanning
 /// tree of 0-adjacency from parent to child, along steps with few cells first: one restart for each connected
 /// piece in a block. Runs on all threads of the current arena. out[i] belongs to points[i]; points need not
-/// be sorted, but distinct.
+/// be sorted, but distinct. No masks: `full`.
 template <class Sum, int d, class ShapeFunctor, class Weight>
 std::vector<Sum> convolve(const ShapeFunctor& f, const Kernel<d, Weight>& kernel,
-                          const DisplacementMasks<d, Weight>* masks, std::span<const LatticePoint<d>> points,
+                          const std::type_identity_t<DisplacementMasks<d, Weight>>* masks,
+                          std::span<const std::type_identity_t<LatticePoint<d>>> points,
                           EvaluationWork* work = nullptr);
 
 }  // namespace gridstep
