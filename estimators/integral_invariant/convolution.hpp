@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "estimators/integral_invariant/kernel.hpp"
@@ -31,7 +32,8 @@ struct EvaluationWork {
 /// sorted, but distinct.
 template <class Sum, int d, class ShapeFunctor, class Weight>
 std::vector<Sum> convolve(const ShapeFunctor& f, const Kernel<d, Weight>& kernel,
-                          const DisplacementMasks<d, Weight>* masks, std::span<const LatticePoint<d>> points,
+                          const std::type_identity_t<DisplacementMasks<d, Weight>>* masks,
+                          std::span<const std::type_identity_t<LatticePoint<d>>> points,
                           EvaluationWork* work = nullptr);
 
 }  // namespace gridstep

@@ -261,7 +261,9 @@ TEST(EvaluationWork, MasksRestartLessThanOnceInAHundredPoints) {
   const auto restarts = [](auto dimension, const char* spec, double h, double k) {
     constexpr int d = decltype(dimension)::value;
     const auto shape = make_shape<d>(spec);
-    const Scene<d> scene = make_scene<d>(*shape, {.h = {h}});
+    SceneSettings<d> settings;
+    settings.h = {h};
+    const Scene<d> scene = make_scene<d>(*shape, settings);
     const auto points = spels_of(scene.surfels);
     const double r = to_digital(RadiusRule{k}.at({h}), {h}).value;
     const EvaluationWork work = evaluate<d>(scene.set, r, points, Evaluation::masks).second;

@@ -41,7 +41,9 @@ TEST(CurvatureFromArea, TendsToThatOfADiskQuadratically) {
       const double R = q * rho;
       const double error = curvature_from_area(area_in_disk(rho, R), {R}) * rho - 1;
       EXPECT_LT(std::abs(error), 0.1 * q * q);
-      if (previous != 0) EXPECT_NEAR(previous / error, 4, 0.15);
+      if (previous != 0) {
+        EXPECT_NEAR(previous / error, 4, 0.15);
+      }
       previous = error;
       // Of the part outside the disk it is the opposite.
       EXPECT_NEAR(curvature_from_area(pi * R * R - area_in_disk(rho, R), {R}),
@@ -111,8 +113,10 @@ TEST(PrincipalCurvatures, OfAParaboloidBelongToTheirDirections) {
 template <class Counts>
 double alignment_of_dir1(const std::string& spec, double h, double R, Counts counts) {
   const auto shape = make_shape<3>(spec);
-  const Scene<3> scene =
-      make_scene<3>(*shape, {.h = {h}, .placement = {{0.13, -0.27, 0.4}, Eigen::Matrix3d::Identity()}});
+  SceneSettings<3> settings;
+  settings.h = {h};
+  settings.placement.shift = {0.13, -0.27, 0.4};
+  const Scene<3> scene = make_scene<3>(*shape, settings);
   const Truth truth =
       truth_at_surfels<3>(*shape, scene.settings, scene.surfels, {"dir1_x", "dir1_y", "dir1_z"});
   const auto estimator = find_estimator("ii-covariance").variant<3>().make(scene.set, {});

@@ -12,21 +12,23 @@ namespace gridstep {
 namespace {
 
 template <int d>
-using PointLess = decltype([](const LatticePoint<d>& a, const LatticePoint<d>& b) {
-  return raster_less<d>(a, b);
-});
+struct RasterLess {
+  bool operator()(const LatticePoint<d>& a, const LatticePoint<d>& b) const { return raster_less<d>(a, b); }
+};
 
 /// Offset -> weight; fails where an offset is listed twice.
 template <int d, class Weight>
-std::map<LatticePoint<d>, Weight, PointLess<d>> weights_of(const WeightedOffsets<d, Weight>& offsets) {
-  std::map<LatticePoint<d>, Weight, PointLess<d>> result;
+std::map<LatticePoint<d>, Weight, RasterLess<d>> weights_of(const WeightedOffsets<d, Weight>& offsets) {
+  std::map<LatticePoint<d>, Weight, RasterLess<d>> result;
   std::size_t end = 0;
   for (const auto& group : offsets.groups) {
     EXPECT_EQ(group.begin, end);
     EXPECT_LT(group.begin, group.end);
     for (std::size_t i = group.begin; i < group.end; ++i) {
       EXPECT_TRUE(result.emplace(offsets.offsets[i], group.weight).second);
-      if (i > group.begin) EXPECT_TRUE(raster_less<d>(offsets.offsets[i - 1], offsets.offsets[i]));
+      if (i > group.begin) {
+        EXPECT_TRUE(raster_less<d>(offsets.offsets[i - 1], offsets.offsets[i]));
+      }
     }
     end = group.end;
   }
@@ -123,7 +125,7 @@ TEST(WeightedKernel, KeepsTheWeightsAndLeavesZerosOut) {
 /// delta(p) = g(p) - g(p + e), from the definition.
 template <int d, class Weight>
 void expect_masks_are_differences(const Kernel<d, Weight>& kernel) {
-  const auto g = weights_of(kernel);
+  const auto g = weights_of<d, Weight>(kernel);
   const auto at = [&g](const LatticePoint<d>& z) {
     const auto found = g.find(z);
     return found == g.end() ? Weight{} : found->second;
@@ -131,7 +133,7 @@ void expect_masks_are_differences(const Kernel<d, Weight>& kernel) {
   const DisplacementMasks<d, Weight> masks(kernel);
   const LatticePoint<d> reach = LatticePoint<d>::Constant(14);
   for (const LatticePoint<d>& step : DisplacementMasks<d, Weight>::steps()) {
-    const auto mask = weights_of(masks[step]);
+    const auto mask = weights_of<d, Weight>(masks[step]);
     std::size_t size = 0;
     for_each_point(LatticeBox<d>{-reach, reach}, [&](const LatticePoint<d>& p) {
       const Weight delta = at(p) - at(LatticePoint<d>(p + step));
@@ -146,16 +148,17 @@ void expect_masks_are_differences(const Kernel<d, Weight>& kernel) {
 
 TEST(DisplacementMasks, AreTheDifferencesOfTwoShiftedKernels) {
   for (const double r : {1.0, 2.2, 5.0, 9.7}) {
-    expect_masks_are_differences(ball_kernel<2>({r}));
-    expect_masks_are_differences(ball_kernel<2>({r}, 1));
+    expect_masks_are_differences<2, std::int64_t>(ball_kernel<2>({r}));
+    expect_masks_are_differences<2, std::int64_t>(ball_kernel<2>({r}, 1));
   }
   for (const double r : {1.0, 3.0, 5.9}) {
-    expect_masks_are_differences(ball_kernel<3>({r}));
-    for (int axis = 0; axis < 3; ++axis) expect_masks_are_differences(ball_kernel<3>({r}, axis));
+    expect_masks_are_differences<3, std::int64_t>(ball_kernel<3>({r}));
+    for (int axis = 0; axis < 3; ++axis)
+      expect_masks_are_differences<3, std::int64_t>(ball_kernel<3>({r}, axis));
   }
-  expect_masks_are_differences(weighted_kernel<2>(
+  expect_masks_are_differences<2, std::int64_t>(weighted_kernel<2>(
       {7.0}, [](const LatticePoint<2>& z) { return std::int64_t{2 * z[0] - z[1] * z[1]}; }));
-  expect_masks_are_differences(
+  expect_masks_are_differences<3, double>(
       weighted_kernel<3>({4.0}, [](const LatticePoint<3>& z) { return 1 / (1.0 + z.squaredNorm()); }));
 }
 
@@ -179,7 +182,8 @@ TEST(DisplacementMasks, OfOppositeStepsMirrorEachOther) {
   const auto kernel = ball_kernel<3>({6.3});
   const DisplacementMasks<3, std::int64_t> masks(kernel);
   for (const LatticePoint<3>& step : DisplacementMasks<3, std::int64_t>::steps()) {
-    const auto there = weights_of(masks[step]), back = weights_of(masks[-step]);
+    const auto there = weights_of<3, std::int64_t>(masks[step]);
+    const auto back = weights_of<3, std::int64_t>(masks[-step]);
     ASSERT_EQ(there.size(), back.size());
     for (const auto& [p, weight] : there) {
       EXPECT_EQ(back.at(LatticePoint<3>(p + step)), -weight);
