@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "estimators/integral_invariant/indicator.hpp"
+#include "estimators/options.hpp"
 #include "estimators/testing_sets.hpp"
 #include "shapes/analytic/catalogue.hpp"
 #include "shapes/scene.hpp"
