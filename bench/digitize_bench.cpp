@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <tbb/global_control.h>
 
+#include <ctime>
+
 #include "estimators/integral_invariant/kernel.hpp"
 #include "shapes/analytic/catalogue.hpp"
 #include "shapes/digital/boundary.hpp"
@@ -13,9 +15,6 @@
 
 namespace gridstep {
 namespace {
-
-using OneThread = tbb::global_control;
-constexpr auto kParallelism = tbb::global_control::max_allowed_parallelism;
 
 /// Whether digitization and boundary are those of sampling every point and looking at every neighbour.
 template <int d>
@@ -33,16 +32,21 @@ bool equals_the_definition(const Shape<d>& shape, GridStep h) {
   return same && surfels == boundary(set).size();
 }
 
-void per_surfel(benchmark::State& state, std::size_t surfels) {
-  using benchmark::Counter;
-  state.counters["ns_per_surfel"] =
-      Counter(1e-9 * double(surfels), Counter::kIsIterationInvariantRate | Counter::kInvert);
+/// Runs the loop, and counts the time of a surfel.
+template <int d, class Work>
+void run(benchmark::State& state, const DigitalSet<d>& set, Work work) {
+  const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
+  const std::size_t surfels = boundary(set).size();
+  const std::clock_t begin = std::clock();  // of the process, which has one thread
+  for (auto _ : state) benchmark::DoNotOptimize(work());
+  const double seconds = double(std::clock() - begin) / CLOCKS_PER_SEC;
+  state.counters["ns_per_surfel"] = 1e9 * seconds / (double(state.iterations()) * double(surfels));
   state.counters["surfels"] = double(surfels);
+  state.SetComplexityN(state.range(0));
 }
 
 template <int d>
 void digitize(benchmark::State& state, const std::string& spec) {
-  const OneThread one_thread(kParallelism, 1);
   const auto shape = make_shape<d>(spec);
   if (!equals_the_definition<d>(*shape, {d == 2 ? 0.1 : 0.5})) {
     state.SkipWithError("differs from sampling every point");
@@ -50,22 +54,17 @@ void digitize(benchmark::State& state, const std::string& spec) {
   }
   const GridStep h{1.0 / double(state.range(0))};
   DigitizationWork work;
-  for (auto _ : state) benchmark::DoNotOptimize(gauss_digitize<d>(*shape, h, &work));
   const DigitalSet<d> set = gauss_digitize<d>(*shape, h);
-  per_surfel(state, boundary(set).size());
+  run(state, set, [&] { return gauss_digitize<d>(*shape, h, &work); });
   state.counters["points_sampled"] = double(work.points);
   state.counters["boxes"] = double(work.boxes);
   state.counters["memory"] = double(set.memory());
-  state.SetComplexityN(state.range(0));
 }
 
 template <int d>
 void extract(benchmark::State& state, const std::string& spec) {
-  const auto shape = make_shape<d>(spec);
-  const DigitalSet<d> set = gauss_digitize<d>(*shape, {1.0 / double(state.range(0))});
-  for (auto _ : state) benchmark::DoNotOptimize(boundary(set));
-  per_surfel(state, boundary(set).size());
-  state.SetComplexityN(state.range(0));
+  const DigitalSet<d> set = gauss_digitize<d>(*make_shape<d>(spec), {1.0 / double(state.range(0))});
+  run(state, set, [&] { return boundary(set); });
 }
 
 template <int d>
