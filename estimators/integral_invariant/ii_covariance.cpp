@@ -22,7 +22,7 @@ class IntegralInvariantCovariance final : public Estimator<3> {
   static constexpr std::array kRaw{"sum", "cov_xx", "cov_xy", "cov_xz", "cov_yy", "cov_yz", "cov_zz"};
 
   IntegralInvariantCovariance(const DigitalSet<3>& set, const EstimatorOptions& options)
-      : sums_(set, options) {}
+      : sums_(set, options), centre_(options.centre) {}
 
   void init(GridStep h, EuclideanLength R) override {
     h_ = h;
@@ -40,8 +40,10 @@ class IntegralInvariantCovariance final : public Estimator<3> {
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       const auto& [inner, outer] = pairs[i];
       const Eigen::Matrix3d covariance = 0.5 * (covariance_of(inner) + covariance_of(outer));
-      const PrincipalCurvatures principal =
-          principal_curvatures(scale * covariance, first_moment(inner) + first_moment(outer), R_);
+      Eigen::Vector3d towards_inside = first_moment(inner) + first_moment(outer);
+      // Both sums are taken from the lower spel here, half a cell off the centre of the ball.
+      if (centre_ == KernelCentre::surfel) towards_inside[surfels[i].axis] -= double(inner.n);
+      const PrincipalCurvatures principal = principal_curvatures(scale * covariance, towards_inside, R_);
       const std::array values{(principal.k1 + principal.k2) / 2,
                               principal.k1 * principal.k2,
                               principal.k1,
@@ -88,6 +90,7 @@ class IntegralInvariantCovariance final : public Estimator<3> {
   }
 
   SurfelSums<3, Sum> sums_;
+  KernelCentre centre_;
   GridStep h_{};
   EuclideanLength R_{};
   Estimates raw_;

@@ -151,38 +151,67 @@ TEST_P(IntegralInvariant, AgreesWithDGtalInThreeDimensions) {
            -0.4027975226}});
 }
 
-/// Sup and rms error of H on Goursat's surface with R = 3 h^0.33.
-void expect_goursat(double h, std::size_t surfels, double sup, double rms, Evaluation evaluation) {
+/// The mean curvature of Goursat's surface where Newton steps along the gradient lead from a point: near the
+/// closest point of the surface, but not it.
+double goursat_mean_along_gradient(RealPoint<3> p) {
+  const auto gradient = [&] { return RealPoint<3>(0.12 * p.array().cube().matrix() - 4 * p); };
+  for (int i = 0; i < 30; ++i) {
+    const RealPoint<3> g = gradient();
+    p -= (0.03 * p.array().pow(4).sum() - 2 * p.squaredNorm() - 8) / g.squaredNorm() * g;
+  }
+  const RealPoint<3> g = gradient(), hessian = 0.36 * p.array().square() - 4;
+  return (hessian.sum() * g.squaredNorm() - hessian.dot(g.cwiseAbs2())) / (2 * std::pow(g.norm(), 3));
+}
+
+struct Errors {
+  double sup = 0, rms = 0;
+};
+
+Errors errors_of(const std::vector<double>& estimates, const std::vector<double>& truth) {
+  Errors errors;
+  for (std::size_t i = 0; i < estimates.size(); ++i) {
+    const double error = std::abs(estimates[i] - truth[i]);
+    errors.sup = std::max(errors.sup, error);
+    errors.rms += error * error / double(estimates.size());
+  }
+  errors.rms = std::sqrt(errors.rms);
+  return errors;
+}
+
+/// Errors of H on Goursat's surface with R = 3 h^0.33, no shift. The published figures take the truth along
+/// the gradient; those at the closest point are ours, and differ in the fourth digit of sup at the coarser
+/// step.
+void expect_goursat(double h, std::size_t surfels, const Errors& published, const Errors& at_closest,
+                    Evaluation evaluation) {
   const auto shape = make_shape<3>("goursat");
   const Scene<3> scene = scene_of<3>(*shape, {h});
   ASSERT_EQ(scene.surfels.size(), surfels);
   const Truth truth = truth_at_surfels<3>(*shape, scene.settings, scene.surfels, {"mean"});
   ASSERT_EQ(truth.singular, 0);
+  std::vector<double> along_gradient;
+  for (const Surfel<3>& surfel : scene.surfels)
+    along_gradient.push_back(goursat_mean_along_gradient(centre(surfel, h)));
   const auto estimator = find_estimator("ii").variant<3>().make(scene.set, {evaluation, KernelCentre::spels});
   estimator->init({h}, RadiusRule{3, 0.33}.at({h}));
   const Estimates estimates = estimator->eval(scene.surfels);
-  double largest = 0, squares = 0;
-  for (std::size_t i = 0; i < surfels; ++i) {
-    const double error = std::abs(estimates["mean"][i] - truth.columns[0][i]);
-    largest = std::max(largest, error);
-    squares += error * error;
-  }
-  EXPECT_NEAR(largest, sup, 0.00005);
-  EXPECT_NEAR(std::sqrt(squares / double(surfels)), rms, 0.000005);
+  const Errors theirs = errors_of(estimates["mean"], along_gradient);
+  const Errors ours = errors_of(estimates["mean"], truth.columns[0]);
+  EXPECT_NEAR(theirs.sup, published.sup, 0.00005);
+  EXPECT_NEAR(theirs.rms, published.rms, 0.000005);
+  EXPECT_NEAR(ours.sup, at_closest.sup, 0.00005);
+  EXPECT_NEAR(ours.rms, at_closest.rms, 0.000005);
 }
 
-// The figures published for DGtal's estimator, no shift, four digits.
-
 TEST_P(IntegralInvariant, HasThePublishedErrorsOnGoursatsSurface) {
-  expect_goursat(0.5, 9510, 0.2121, 0.08354, GetParam());
+  expect_goursat(0.5, 9510, {0.2121, 0.08354}, {0.2119, 0.08354}, GetParam());
 }
 
 TEST(IntegralInvariantAtAFineStep, HasThePublishedErrorsOnGoursatsSurface) {
-  expect_goursat(0.125, 151374, 0.1246, 0.05470, Evaluation::masks);
+  expect_goursat(0.125, 151374, {0.1246, 0.05470}, {0.1246, 0.05470}, Evaluation::masks);
 }
 
 INSTANTIATE_TEST_SUITE_P(Evaluations, IntegralInvariant, testing::Values(Evaluation::full, Evaluation::masks),
-                         [](const auto& info) { return to_string(info.param); });
+                         [](const auto& tested) { return to_string(tested.param); });
 
 }  // namespace
 }  // namespace gridstep
