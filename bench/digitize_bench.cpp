@@ -91,7 +91,7 @@ void add(const std::string& spec, const std::vector<std::int64_t>& inverse_steps
       benchmark::RegisterBenchmark(fmt::format("boundary/{}d/{}", d, spec).c_str(),
                                    [spec](benchmark::State& state) { extract<d>(state, spec); });
   for (auto* const row : {digitization, extraction}) {
-    row->ArgName("1/h")->Unit(benchmark::kMillisecond)->Complexity(growth);
+    row->ArgName("inv_h")->Unit(benchmark::kMillisecond)->Complexity(growth);
     for (const std::int64_t n : inverse_steps) row->Arg(n);
   }
 }
