@@ -16,8 +16,8 @@ std::vector<Record> manufactured(double slope, double alpha = 1.0 / 3.0, double 
       for (const char* evaluation : {"masks", "full"}) {
         const bool full = evaluation == std::string("full");
         Record record{};
-        record.shape = "disk:radius=5";
-        record.estimator = "ii";
+        record.shape = std::string("disk:radius=5");
+        record.estimator = std::string("ii");
         record.evaluation = evaluation;
         record.h = std::pow(0.5, level);
         record.k = 3;
