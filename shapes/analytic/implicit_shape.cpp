@@ -16,6 +16,9 @@ ImplicitShape<d>::ImplicitShape(const RealPoint<d>& centre, Formula formula, con
   expects(formula_.variables() <= d, "a formula in the variables of the space");
   const RealPoint<d> far = 2 * box_.min().cwiseAbs().cwiseMax(box_.max().cwiseAbs());
   rounding_ = 1e-13 * formula_.magnitude({far.data(), d});
+  const RealPoint<d> margin = box_.sizes() / 8;
+  neighbourhood_ = {box_.min() - margin, box_.max() + margin};
+  greatest_hessian_ = hessian_bound(neighbourhood_);
 }
 
 template <int d>
@@ -231,16 +234,25 @@ template <int d>
 bool ImplicitShape<d>::proves_closest(const RealPoint<d>& query, const Foot& foot) const {
   const double distance = (query - foot.position).norm();
   if (distance <= 1e-9 * size_) return true;
+  const RealPoint<d> reach = RealPoint<d>::Constant(distance);
+  const RealBox<d> around(query - reach, query + reach);
+  const double slope = foot.f.gradient.norm() / (distance * (1 + 1e-9));
+  // The bound over the whole shape does at fine steps, and costs nothing.
+  return (neighbourhood_.contains(around) && greatest_hessian_ < slope) || hessian_bound(around) < slope;
+}
+
+/// An upper bound on the Frobenius norm of the Hessian over a box.
+template <int d>
+double ImplicitShape<d>::hessian_bound(const RealBox<d>& box) const {
   using Jet = Jet1<Interval, d>;
   std::array<Jet1<Jet, d>, d> variables;
   for (int k = 0; k < d; ++k)
-    variables[k] =
-        Jet1<Jet, d>::variable(Jet::variable(Interval(query[k] - distance, query[k] + distance), k), k);
+    variables[k] = Jet1<Jet, d>::variable(Jet::variable(Interval(box.min()[k], box.max()[k]), k), k);
   const Jet1<Jet, d> f = formula_(std::span<const Jet1<Jet, d>>(variables));
   double squared = 0;
   for (const Jet& row : f.gradient)
     for (const Interval& entry : row.gradient) squared += square(boost::numeric::norm(entry));
-  return std::sqrt(squared) * distance * (1 + 1e-9) < foot.f.gradient.norm();
+  return std::sqrt(squared);
 }
 
 /// Whether the distance has a local minimum at a regular foot.
