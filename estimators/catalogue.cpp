@@ -18,12 +18,6 @@ const std::vector<double>& Estimates::operator[](const std::string& quantity) co
   return columns[std::size_t(found - quantities.begin())];
 }
 
-KernelCentre parse_kernel_centre(const std::string& name) {
-  if (name == "spels") return KernelCentre::spels;
-  if (name == "surfel") return KernelCentre::surfel;
-  throw InputError(fmt::format("unknown kernel centre '{}'; known: spels, surfel", name));
-}
-
 template <>
 const EstimatorEntry::Variant<2>& EstimatorEntry::variant<2>() const {
   if (!in_2d) throw InputError(fmt::format("estimator '{}' has no 2D form", name));

@@ -8,21 +8,9 @@
 #include <vector>
 
 #include "estimators/estimator.hpp"
-#include "estimators/integral_invariant/convolution.hpp"
+#include "estimators/options.hpp"
 
 namespace gridstep {
-
-/// Where the kernel is centred: the value at a surfel is the mean of the sums at its two spels (the
-/// convention of the DGtal library), or comes from one sum around the surfel's own centre.
-enum class KernelCentre { spels, surfel };
-
-/// @throws InputError naming an unknown centre and listing the known ones.
-KernelCentre parse_kernel_centre(const std::string& name);
-
-struct EstimatorOptions {
-  Evaluation evaluation = Evaluation::masks;
-  KernelCentre centre = KernelCentre::spels;
-};
 
 /// What a quantity is, for tables and for the comparison with the truth.
 struct Quantity {

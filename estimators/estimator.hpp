@@ -26,7 +26,8 @@ struct EstimatorWork {
   std::int64_t cells_visited = 0;  ///< cells of the digital set that were read
   std::int64_t restarts = 0;       ///< whole-kernel evaluations among incremental ones
   std::int64_t kernel_size = 0;    ///< cells of one kernel
-  std::int64_t mask_cells = 0;     ///< cells of all displacement masks together
+  /// Cells gained by each displacement mask (as many are lost), in the order of DisplacementMasks::steps().
+  std::vector<std::int64_t> mask_sizes;
 };
 
 /// A local estimator on the boundary of a digital set. It sees the set, the grid step and the radius, and

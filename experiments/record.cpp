@@ -35,7 +35,7 @@ ordered_json to_json(const Record& r) {
             {"cells_visited", r.work.cells_visited},
             {"restarts", r.work.restarts},
             {"kernel_size", r.work.kernel_size},
-            {"mask_cells", r.work.mask_cells}}},
+            {"mask_sizes", r.work.mask_sizes}}},
           {"seconds",
            {{"digitize", r.seconds_digitize},
             {"truth", r.seconds_truth},
@@ -69,7 +69,7 @@ Record record_from(const ordered_json& json) {
                                        norms.at("mean").get<double>(), norms.at("count").get<std::size_t>()});
     const ordered_json& work = json.at("work");
     r.work = {work.at("evaluations"), work.at("cells_visited"), work.at("restarts"), work.at("kernel_size"),
-              work.at("mask_cells")};
+              work.at("mask_sizes")};
     const ordered_json& seconds = json.at("seconds");
     r.seconds_digitize = seconds.at("digitize");
     r.seconds_truth = seconds.at("truth");

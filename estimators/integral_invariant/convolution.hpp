@@ -2,7 +2,7 @@
 
 #include <cstdint>
 #include <span>
-#include <string>
+#include <type_traits>
 #include <vector>
 
 #include "estimators/integral_invariant/kernel.hpp"
@@ -10,18 +10,6 @@
 #include "estimators/integral_invariant/window.hpp"
 
 namespace gridstep {
-
-/// How the sums of f(s) g(s - x) over the lattice are evaluated. The results are the same; for integers,
-/// exactly.
-///   full   the whole kernel at every evaluation point: the plain reference, O((R/h)^d) each
-///   masks  from the sum at a 0-adjacent evaluation point through a displacement mask, O((R/h)^(d-1)) each;
-///   where there
-///          is no such point, the whole kernel (a restart)
-enum class Evaluation { full, masks };
-
-/// @throws InputError naming an unknown strategy and listing the known ones.
-Evaluation parse_evaluation(const std::string& name);
-std::string to_string(Evaluation evaluation);
 
 /// What an evaluation did: deterministic, whatever the number of threads.
 struct EvaluationWork {
@@ -37,13 +25,15 @@ struct EvaluationWork {
 /// order, as ShapeFunctor::Value (std::uint8_t for a digital set, a grey value, a real). g is the kernel's
 /// weight. Sum is PlainSum or MomentSums over a type that holds the products (std::int64_t for integers).
 ///
-/// Points are taken block by block; a block's window is filled once. Within a block, `masks` walks a spanning
-/// tree of 0-adjacency from parent to child, along steps with few cells first: one restart for each connected
-/// piece in a block. Runs on all threads of the current arena. out[i] belongs to points[i]; points need not
-/// be sorted, but distinct.
+/// Without masks, by the whole kernel at every point; with them, incrementally (see Evaluation). Points are
+/// taken block by block; a block's window is filled once. Within a block, `masks` walks a spanning tree of
+/// 0-adjacency from parent to child, along steps with few cells first: one restart for each connected piece
+/// in a block. Runs on all threads of the current arena. out[i] belongs to points[i]; points need not be
+/// sorted, but distinct.
 template <class Sum, int d, class ShapeFunctor, class Weight>
 std::vector<Sum> convolve(const ShapeFunctor& f, const Kernel<d, Weight>& kernel,
-                          const DisplacementMasks<d, Weight>* masks, std::span<const LatticePoint<d>> points,
+                          const std::type_identity_t<DisplacementMasks<d, Weight>>* masks,
+                          std::span<const std::type_identity_t<LatticePoint<d>>> points,
                           EvaluationWork* work = nullptr);
 
 }  // namespace gridstep

@@ -119,7 +119,8 @@ class AdjacencyWalk {
 
 template <class Sum, int d, class ShapeFunctor, class Weight>
 std::vector<Sum> convolve(const ShapeFunctor& f, const Kernel<d, Weight>& kernel,
-                          const DisplacementMasks<d, Weight>* masks, std::span<const LatticePoint<d>> points,
+                          const std::type_identity_t<DisplacementMasks<d, Weight>>* masks,
+                          std::span<const std::type_identity_t<LatticePoint<d>>> points,
                           EvaluationWork* work) {
   using Value = typename ShapeFunctor::Value;
   int reach = 1;

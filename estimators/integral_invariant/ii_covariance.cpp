@@ -11,8 +11,9 @@ namespace {
 /// All curvatures of a surface from the covariance of the digital set in the ball:
 ///   J = h^5 (sum pp' - (sum p)(sum p)' / n), p in cells, the mean over the surfel's two spels.
 ///   Units  1/length (gaussian: 1/length^2), positive where the set is convex; directions are unit vectors.
-///   Bound  sup error of k1 and k2, and so of mean and gaussian, O(h^1/3) with R = k h^1/3 [Coeurjolly, Lachaud, Levallois, CVIU 2014,
-///   theorem 3]. Cost   that of `ii` times a constant for ten sums in place of one.
+///   Bound  sup error of k1 and k2, and so of mean and gaussian, O(h^1/3) with R = k h^1/3 [Coeurjolly,
+///   Lachaud, Levallois, CVIU 2014, theorem 3]. Cost   that of `ii` times a constant for ten sums in place of
+///   one.
 class IntegralInvariantCovariance final : public Estimator<3> {
  public:
   static constexpr std::array kQuantities{"mean",     "gaussian", "k1",     "k2",     "normal_x",
@@ -21,7 +22,7 @@ class IntegralInvariantCovariance final : public Estimator<3> {
   static constexpr std::array kRaw{"sum", "cov_xx", "cov_xy", "cov_xz", "cov_yy", "cov_yz", "cov_zz"};
 
   IntegralInvariantCovariance(const DigitalSet<3>& set, const EstimatorOptions& options)
-      : sums_(set, options) {}
+      : sums_(set, options), centre_(options.centre) {}
 
   void init(GridStep h, EuclideanLength R) override {
     h_ = h;
@@ -39,8 +40,10 @@ class IntegralInvariantCovariance final : public Estimator<3> {
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       const auto& [inner, outer] = pairs[i];
       const Eigen::Matrix3d covariance = 0.5 * (covariance_of(inner) + covariance_of(outer));
-      const PrincipalCurvatures principal =
-          principal_curvatures(scale * covariance, first_moment(inner) + first_moment(outer), R_);
+      Eigen::Vector3d towards_inside = first_moment(inner) + first_moment(outer);
+      // Both sums are taken from the lower spel here, half a cell off the centre of the ball.
+      if (centre_ == KernelCentre::surfel) towards_inside[surfels[i].axis] -= double(inner.n);
+      const PrincipalCurvatures principal = principal_curvatures(scale * covariance, towards_inside, R_);
       const std::array values{(principal.k1 + principal.k2) / 2,
                               principal.k1 * principal.k2,
                               principal.k1,
@@ -87,6 +90,7 @@ class IntegralInvariantCovariance final : public Estimator<3> {
   }
 
   SurfelSums<3, Sum> sums_;
+  KernelCentre centre_;
   GridStep h_{};
   EuclideanLength R_{};
   Estimates raw_;

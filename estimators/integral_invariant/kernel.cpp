@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace gridstep {
 
 template <int d>
@@ -9,6 +11,10 @@ Kernel<d, std::int64_t> ball_kernel(DigitalLength radius, int half_axis) {
   const double r = radius.value;
   if (!(r >= 1 && std::isfinite(r)))
     throw InputError(fmt::format("kernel radius R/h = {:.6g}: must be at least 1 cell", r));
+  // Also keeps the conversion to int below defined.
+  if (std::pow(2 * r + 5, d) >= 0x1p31)
+    throw InputError(
+        fmt::format("kernel radius R/h = {:.6g}: too large, its box would hold more than 2^31 cells", r));
   const int reach = int(std::ceil(r)) + 1;
 
   // In half cells, so that the centre of a surfel has integer coordinates too.

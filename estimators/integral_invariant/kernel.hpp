@@ -30,7 +30,7 @@ using Kernel = WeightedOffsets<d, Weight>;
 /// The digital ball {z : |z - c| <= R/h}, closed, weight 1; c = 0, or the centre of a surfel orthogonal to
 /// `half_axis`, half a cell up that axis. Squared distances are compared as integers; a radius within 1e-12
 /// (relative) of one that a lattice point attains is taken to attain it, so that R/h = 0.3/0.1 is 3.
-/// @throws InputError where R/h < 1.
+/// @throws InputError where R/h < 1, is not finite, or the ball's box would hold more than 2^31 cells.
 template <int d>
 Kernel<d, std::int64_t> ball_kernel(DigitalLength radius, int half_axis = -1);
 

@@ -41,7 +41,7 @@ void SurfelSums<d, Sum>::init(GridStep h, EuclideanLength R) {
     if (options_.evaluation == Evaluation::masks) {
       kernels.masks.emplace(kernels.kernel);
       for (const LatticePoint<d>& step : DisplacementMasks<d, std::int64_t>::steps())
-        work_.mask_cells += std::int64_t((*kernels.masks)[step].size());
+        work_.mask_sizes.push_back(std::int64_t((*kernels.masks)[step].size()) / 2);
     }
     work_.kernel_size = std::int64_t(kernels.kernel.size());
     kernels_.push_back(std::move(kernels));

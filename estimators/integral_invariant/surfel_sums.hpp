@@ -1,12 +1,12 @@
 #pragma once
 
-#include <chrono>
 #include <optional>
 #include <span>
 #include <vector>
 
-#include "estimators/catalogue.hpp"
+#include "estimators/estimator.hpp"
 #include "estimators/integral_invariant/convolution.hpp"
+#include "estimators/options.hpp"
 
 namespace gridstep {
 

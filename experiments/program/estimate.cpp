@@ -2,6 +2,7 @@
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <memory>
@@ -162,10 +163,13 @@ void run(const Options& options, const Shape<d>& shape) {
     fmt::print(out, "error of {:<9} sup {}  rms {}  mean {}\n", name, format_error(norms.sup),
                format_error(norms.rms), format_error(norms.mean));
   }
-  fmt::print(
-      out, "{}: {} kernel evaluations, {} cells visited, {} restarts; kernel {} cells, all masks {} cells\n",
-      options.evaluation, work.evaluations, work.cells_visited, work.restarts, work.kernel_size,
-      work.mask_cells);
+  fmt::print(out, "{}: {} kernel evaluations, {} cells visited, {} restarts; kernel of {} cells",
+             options.evaluation, work.evaluations, work.cells_visited, work.restarts, work.kernel_size);
+  if (!work.mask_sizes.empty()) {
+    const auto [least, most] = std::minmax_element(work.mask_sizes.begin(), work.mask_sizes.end());
+    fmt::print(out, ", {} masks that gain (and lose) {} to {}", work.mask_sizes.size(), *least, *most);
+  }
+  fmt::print(out, "\n");
   fmt::print(out, "init {}, evaluation {} ({:.0f} ns a surfel)\n", format_seconds(seconds_init),
              format_seconds(seconds_eval), 1e9 * seconds_eval / double(scene.surfels.size()));
 }

@@ -75,7 +75,7 @@ class Formula::Parser {
         left = emit({Kind::product, left.reg, right.reg}, left.degree + right.degree);
       } else if (accept('/')) {
         const double divisor = number("a number to divide by");
-        if (divisor == 0) fail("a divisor other than 0 before");
+        if (!std::isfinite(1 / divisor)) fail("a divisor other than 0 before");
         left = emit({Kind::scaled, left.reg, 0, 1 / divisor}, left.degree);
       } else {
         return left;

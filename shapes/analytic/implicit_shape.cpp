@@ -16,6 +16,9 @@ ImplicitShape<d>::ImplicitShape(const RealPoint<d>& centre, Formula formula, con
   expects(formula_.variables() <= d, "a formula in the variables of the space");
   const RealPoint<d> far = 2 * box_.min().cwiseAbs().cwiseMax(box_.max().cwiseAbs());
   rounding_ = 1e-13 * formula_.magnitude({far.data(), d});
+  const RealPoint<d> margin = box_.sizes() / 8;
+  neighbourhood_ = {box_.min() - margin, box_.max() + margin};
+  greatest_hessian_ = hessian_bound(neighbourhood_);
 }
 
 template <int d>
@@ -49,12 +52,18 @@ std::uint64_t ImplicitShape<d>::local_inside(std::span<const RealPoint<d>> point
 
 template <int d>
 Side ImplicitShape<d>::local_side(const RealBox<d>& box) const {
-  const bool in_box = box_.contains(box);
-  if (cut_ && !in_box && !box_.intersects(box)) return Side::outside;
-  const auto decide = [&](double lower, double upper) {
+  if (!cut_) return side_of_polynomial(box);
+  if (!box_.intersects(box)) return Side::outside;
+  const Side side = side_of_polynomial(box);
+  return side == Side::inside && !box_.contains(box) ? Side::crossing : side;
+}
+
+/// The side of {f <= 0}, whatever the cut.
+template <int d>
+Side ImplicitShape<d>::side_of_polynomial(const RealBox<d>& box) const {
+  const auto decide = [](double lower, double upper) {
     if (lower > 0) return Side::outside;
-    if (upper <= 0 && (!cut_ || in_box)) return Side::inside;
-    return Side::crossing;
+    return upper <= 0 ? Side::inside : Side::crossing;
   };
   // The natural extension needs no slack: doubles and intervals are rounded alike.
   std::array<Interval, d> variables;
@@ -216,25 +225,91 @@ std::vector<RealPoint<d>> ImplicitShape<d>::crossings(const RealPoint<d>& query,
   return found;
 }
 
-/// A local minimum of the distance, with no change of side seen nearer than the foot.
+/// A proof that no boundary point is nearer. Let r be the distance of the foot p, n the direction from the
+/// query to it (inside; outside, change signs), and L a bound on the norm of the Hessian over the ball. In
+/// the open ball |x - p|^2 < -2 r n.(x - p), so that
+///   f(x) <= |grad f(p)| n.(x - p) + L/2 |x - p|^2 <= (|grad f(p)| - L r) n.(x - p) < 0  where L r < |grad
+///   f(p)|.
 template <int d>
-bool ImplicitShape<d>::certain(const RealPoint<d>& query, const Foot& foot) const {
+bool ImplicitShape<d>::proves_closest(const RealPoint<d>& query, const Foot& foot) const {
   const double distance = (query - foot.position).norm();
   if (distance <= 1e-9 * size_) return true;
+  const RealPoint<d> reach = RealPoint<d>::Constant(distance);
+  const RealBox<d> around(query - reach, query + reach);
+  const double slope = foot.f.gradient.norm() / (distance * (1 + 1e-9));
+  // The bound over the whole shape does at fine steps, and costs nothing.
+  return (neighbourhood_.contains(around) && greatest_hessian_ < slope) || hessian_bound(around) < slope;
+}
+
+/// An upper bound on the Frobenius norm of the Hessian over a box.
+template <int d>
+double ImplicitShape<d>::hessian_bound(const RealBox<d>& box) const {
+  using Jet = Jet1<Interval, d>;
+  std::array<Jet1<Jet, d>, d> variables;
+  for (int k = 0; k < d; ++k)
+    variables[k] = Jet1<Jet, d>::variable(Jet::variable(Interval(box.min()[k], box.max()[k]), k), k);
+  const Jet1<Jet, d> f = formula_(std::span<const Jet1<Jet, d>>(variables));
+  double squared = 0;
+  for (const Jet& row : f.gradient)
+    for (const Interval& entry : row.gradient) squared += square(boost::numeric::norm(entry));
+  return std::sqrt(squared);
+}
+
+/// Whether the distance has a local minimum at a regular foot.
+template <int d>
+bool ImplicitShape<d>::is_minimum(const RealPoint<d>& query, const Foot& foot) const {
   const BoundaryPoint<d> point = boundary_point(query, foot);
   const double signed_distance = (query - foot.position).dot(point.normal);
-  for (const double k : point.curvature)
-    if (!(1 + signed_distance * k > 0)) return false;
+  bool minimum = true;
+  for (const double k : point.curvature) minimum &= 1 + signed_distance * k > -1e-9;
+  return minimum;
+}
+
+/// The closest foot on or off the rays of crossings(): after those, every box nearer than the best foot whose
+/// side is not decided, down to an eighth of its distance, is searched where it holds a point of the other
+/// side or is far from that foot.
+template <int d>
+auto ImplicitShape<d>::search(const RealPoint<d>& query, double within) const -> std::optional<Foot> {
+  std::optional<Foot> best;
+  const auto consider = [&](const RealPoint<d>& start) {
+    for (const auto& foot : {newton(query, start, within), descend(query, start, within)}) {
+      if (!foot || !((foot->position - query).norm() <= within * (1 + 1e-12))) continue;
+      if (!foot->singular && !is_singular(foot->f) && !is_minimum(query, *foot)) continue;
+      if (!best || (foot->position - query).norm() < (best->position - query).norm() - 1e-12 * size_)
+        best = foot;
+    }
+  };
+  for (const RealPoint<d>& start : crossings(query, within)) consider(start);
+  consider(query);
+
+  const auto limit = [&] { return best ? (best->position - query).norm() - 1e-9 * size_ : within; };
   const bool inside = value(query) <= 0;
-  bool seen = false;
-  for_each_point(LatticeBox<d>{LatticePoint<d>::Constant(-1), LatticePoint<d>::Constant(1)},
-                 [&](const LatticePoint<d>& direction) {
-                   if (direction.isZero() || seen) return;
-                   const RealPoint<d> probe =
-                       query + 0.95 * distance * direction.template cast<double>().normalized();
-                   seen = (value(probe) <= 0) != inside;
-                 });
-  return !seen;
+  const RealPoint<d> reach = RealPoint<d>::Constant(limit());
+  std::vector<RealBox<d>> boxes{{query - reach, query + reach}};
+  for (int budget = 20000; !boxes.empty() && budget > 0; --budget) {
+    const RealBox<d> box = boxes.back();
+    boxes.pop_back();
+    if (box.exteriorDistance(query) >= limit() || side_of_polynomial(box) != Side::crossing) continue;
+    const RealPoint<d> middle = box.center();
+    const bool other_side = (value(middle) <= 0) != inside && (middle - query).norm() < limit();
+    if (other_side) {
+      RealPoint<d> near = query, far = middle;
+      for (int halving = 0; halving < 30; ++halving) {
+        const RealPoint<d> between = (near + far) / 2;
+        ((value(between) <= 0) == inside ? near : far) = between;
+      }
+      consider(far);
+    }
+    if (box.sizes()[0] > limit() / 8) {
+      for (int part = 0; part < (1 << d); ++part) {
+        const RealPoint<d> corner = box.corner(typename RealBox<d>::CornerType(part));
+        boxes.push_back({corner.cwiseMin(middle), corner.cwiseMax(middle)});
+      }
+    } else if (!other_side && (!best || (middle - best->position).norm() > limit() / 2)) {
+      consider(middle);
+    }
+  }
+  return best;
 }
 
 template <int d>
@@ -297,31 +372,17 @@ std::optional<BoundaryPoint<d>> ImplicitShape<d>::local_project(const RealPoint<
   if (cut_) {
     cut = nearest_cut(query);
     if (cut && cut->distance > within) cut.reset();
+    if (cut) {
+      within = cut->distance;
+      const RealPoint<d> reach = RealPoint<d>::Constant(within);
+      if (side_of_polynomial({query - reach, query + reach}) != Side::crossing) return cut;
+    }
   }
-  const auto reached = [&](const Foot& foot) {
-    return (foot.position - query).norm() <= within * (1 + 1e-12);
-  };
   std::optional<Foot> best = newton(query, query, within);
+  if (!best || best->singular || is_singular(best->f) ||
+      !((best->position - query).norm() <= within * (1 + 1e-12)) || !proves_closest(query, *best))
+    best = search(query, within);
   if (best) best->singular |= is_singular(best->f);
-  if (!best || best->singular || !reached(*best) || !certain(query, *best)) {
-    best.reset();
-    std::vector<RealPoint<d>> starts = crossings(query, within);
-    starts.push_back(query);
-    for (const RealPoint<d>& start : starts)
-      for (const auto& foot : {newton(query, start, within), descend(query, start, within)}) {
-        if (!foot || !reached(*foot)) continue;
-        if (!foot->singular && !is_singular(foot->f)) {
-          const BoundaryPoint<d> point = boundary_point(query, *foot);
-          const double signed_distance = (query - foot->position).dot(point.normal);
-          bool minimum = true;
-          for (const double k : point.curvature) minimum &= 1 + signed_distance * k > -1e-9;
-          if (!minimum) continue;
-        }
-        if (!best || (foot->position - query).norm() < (best->position - query).norm() - 1e-12 * size_)
-          best = foot;
-      }
-    if (best) best->singular |= is_singular(best->f);
-  }
   if (best && cut_ && !box_.contains(best->position)) {
     // The polynomial goes on beyond the cut: the closest point is on a face, or on its rim.
     best.reset();
@@ -424,7 +485,8 @@ RealBox<d> bounds_of(const Formula& formula, double bound) {
     if (!box) fail("is unbounded, or not proved bounded, in the box of half side 1024; try bound=");
   }
   if (!reaches_zero<d>(formula, *box))
-    fail(fmt::format("is never negative in the box of half side {}: the shape is empty", box->max()[0]));
+    fail(bound > 0 ? fmt::format("is never negative in the box of half side {}: the shape is empty", bound)
+                   : "is never negative: the shape is empty");
   for (int axis = 0; axis < d; ++axis)
     for (const int sign : {-1, +1}) {
       double& face = (sign > 0 ? box->max() : box->min())[axis];

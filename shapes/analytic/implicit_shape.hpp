@@ -28,13 +28,17 @@ class ImplicitShape final : public Shape<d> {
     Jet2<d> f;  // there
     bool singular;
   };
+  Side side_of_polynomial(const RealBox<d>& box) const;
   double value(const RealPoint<d>& p) const;
   Jet2<d> jet(const RealPoint<d>& p) const;
   std::optional<Foot> newton(const RealPoint<d>& query, const RealPoint<d>& start, double within) const;
   std::optional<Foot> descend(const RealPoint<d>& query, const RealPoint<d>& start, double within) const;
   std::optional<RealPoint<d>> correct(RealPoint<d> p, double within) const;
   std::vector<RealPoint<d>> crossings(const RealPoint<d>& query, double within) const;
-  bool certain(const RealPoint<d>& query, const Foot& foot) const;
+  bool proves_closest(const RealPoint<d>& query, const Foot& foot) const;
+  double hessian_bound(const RealBox<d>& box) const;
+  bool is_minimum(const RealPoint<d>& query, const Foot& foot) const;
+  std::optional<Foot> search(const RealPoint<d>& query, double within) const;
   BoundaryPoint<d> boundary_point(const RealPoint<d>& query, const Foot& foot) const;
   std::optional<BoundaryPoint<d>> nearest_cut(const RealPoint<d>& query) const;
   bool is_singular(const Jet2<d>& f) const;
@@ -43,6 +47,8 @@ class ImplicitShape final : public Shape<d> {
   RealBox<d> box_;
   bool cut_;
   double size_;
+  RealBox<d> neighbourhood_;  // of the box, over which the norm of the Hessian is at most
+  double greatest_hessian_;
   double rounding_;  // bound on the rounding errors of f over a neighbourhood of the box
 };
 

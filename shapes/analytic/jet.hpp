@@ -1,10 +1,12 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 
 namespace gridstep {
 
-/// A value with its first derivatives in d variables (forward differentiation); T is double or Interval.
+/// A value with its first derivatives in d variables (forward differentiation); T is double, Interval, or
+/// again a Jet1, for second derivatives.
 template <class T, int d>
 struct Jet1 {
   T value{};
@@ -19,13 +21,13 @@ struct Jet1 {
     return jet;
   }
   friend Jet1 operator+(Jet1 a, const Jet1& b) {
-    a.value += b.value;
-    for (int k = 0; k < d; ++k) a.gradient[k] += b.gradient[k];
+    a.value = a.value + b.value;
+    for (int k = 0; k < d; ++k) a.gradient[k] = a.gradient[k] + b.gradient[k];
     return a;
   }
   friend Jet1 operator-(Jet1 a, const Jet1& b) {
-    a.value -= b.value;
-    for (int k = 0; k < d; ++k) a.gradient[k] -= b.gradient[k];
+    a.value = a.value - b.value;
+    for (int k = 0; k < d; ++k) a.gradient[k] = a.gradient[k] - b.gradient[k];
     return a;
   }
   friend Jet1 operator*(const Jet1& a, const Jet1& b) {

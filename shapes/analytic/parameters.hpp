@@ -42,6 +42,7 @@ struct ShapeSpec {
   /// "ellipse:a=20,b=7,angle=0.3", or with values in the order of the shape's parameters, "ellipse:20,7,0.3".
   /// @throws InputError naming the text and what is wrong with it.
   static ShapeSpec parse(const std::string& text);
+  static ShapeSpec parse(const char* text) { return parse(std::string(text)); }
   /// {"name": "ellipse", "a": 20, "b": 7}.
   static ShapeSpec parse(const nlohmann::json& object);
   /// With every parameter, defaults included (but for a centre at the origin), in the order of the catalogue:

@@ -1,4 +1,4 @@
-#include "estimators/integral_invariant/convolution.hpp"
+#include "estimators/options.hpp"
 
 #include <fmt/format.h>
 
@@ -14,6 +14,12 @@ Evaluation parse_evaluation(const std::string& name) {
 
 std::string to_string(Evaluation evaluation) {
   return evaluation == Evaluation::full ? "full" : "masks";
+}
+
+KernelCentre parse_kernel_centre(const std::string& name) {
+  if (name == "spels") return KernelCentre::spels;
+  if (name == "surfel") return KernelCentre::surfel;
+  throw InputError(fmt::format("unknown kernel centre '{}'; known: spels, surfel", name));
 }
 
 }  // namespace gridstep

@@ -1,0 +1,95 @@
+#!/usr/bin/env python3
+"""Reviewed output of the quick studies, in results/reference/.
+
+  scripts/reference.py check [--program build/gridstep] [STUDY ...]   run them anew and compare
+  scripts/reference.py update [--program build/gridstep] [STUDY ...]  run them anew and store: review the diff
+
+Integers (surfels, cells visited, restarts, ...) must be equal; errors agree within 1e-12 relative, which leaves room
+for another mathematics library and none for another formula. Timings are not compared.
+"""
+
+import argparse
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+REFERENCE = ROOT / "results" / "reference"
+STUDIES = ["paper-2d", "paper-3d", "radius-exponent", "noise"]
+TOLERANCE = 1e-12
+KEY = ["shape", "noise", "h", "shift", "estimator", "evaluation", "k", "alpha"]
+COUNTS = ["surfels", "singular", "far", "components"]
+WORK = ["evaluations", "cells_visited", "restarts", "kernel_size"]
+NORMS = ["sup", "rms", "mean"]
+
+
+def run(program, study):
+    """The records of a new run, reduced to what is compared: one row a record."""
+    with tempfile.TemporaryDirectory() as folder:
+        command = [program, "study", study, "--quick", "--out", folder]
+        done = subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+        if done.returncode != 0:
+            sys.exit(f"{' '.join(command)} failed:\n{done.stderr}")
+        lines = (pathlib.Path(folder) / "records.jsonl").read_text().splitlines()
+    return [row(json.loads(line)) for line in lines[1:]]
+
+
+def row(record):
+    errors = {quantity: [norms[n] for n in NORMS] for quantity, norms in record["errors"].items()}
+    counts = [record[c] for c in COUNTS] + [record["work"][w] for w in WORK]
+    return {"key": [record[k] for k in KEY], "counts": counts, "errors": errors}
+
+
+def store(study, rows):
+    head = json.dumps({"schema": 1, "study": study, "key": KEY, "counts": COUNTS + WORK, "norms": NORMS})
+    lines = ",\n".join(json.dumps(r) for r in rows)
+    (REFERENCE / f"{study}.json").write_text(f'{head[:-1]}, "rows": [\n{lines}\n]}}\n')
+
+
+def differences(stored, new):
+    """One line for each thing that differs."""
+    if len(stored) != len(new):
+        yield f"{len(new)} records, the reference has {len(stored)}"
+        return
+    for old, now in zip(stored, new):
+        if old["key"] != now["key"]:
+            yield f"{now['key']}: the reference has {old['key']} here"
+        for name, a, b in zip(COUNTS + WORK, old["counts"], now["counts"]):
+            if a != b:
+                yield f"{now['key']}: {name} = {b}, the reference has {a}"
+        if old["errors"].keys() != now["errors"].keys():
+            yield f"{now['key']}: quantities {list(now['errors'])}, the reference has {list(old['errors'])}"
+            continue
+        for quantity, norms in old["errors"].items():
+            for norm, a, b in zip(NORMS, norms, now["errors"][quantity]):
+                if abs(a - b) > TOLERANCE * max(abs(a), abs(b)):
+                    yield f"{now['key']}: {norm} error of {quantity} = {b!r}, the reference has {a!r}"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("action", choices=["check", "update"])
+    parser.add_argument("studies", nargs="*", metavar="STUDY", help=f"of {', '.join(STUDIES)} (default: all)")
+    parser.add_argument("--program", default=str(ROOT / "build" / "gridstep"))
+    options = parser.parse_args()
+    failed = False
+    for study in options.studies or STUDIES:
+        if study not in STUDIES:
+            parser.error(f"no reference for study '{study}'")
+        rows = run(options.program, study)
+        if options.action == "update":
+            store(study, rows)
+            print(f"{study}: {len(rows)} records stored")
+            continue
+        found = list(differences(json.loads((REFERENCE / f"{study}.json").read_text())["rows"], rows))
+        print(f"{study}: {len(rows)} records, {len(found)} differences")
+        for line in found[:20]:
+            print("  " + line)
+        failed = failed or bool(found)
+    sys.exit(1 if failed else 0)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,171 @@
+#include "shapes/digital/digital_set.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "shapes/base/random.hpp"
+
+namespace gridstep {
+namespace {
+
+template <int d>
+struct Dimension {
+  static constexpr int value = d;
+};
+template <class>
+class DigitalSets : public testing::Test {};
+using Dimensions = testing::Types<Dimension<2>, Dimension<3>>;
+TYPED_TEST_SUITE(DigitalSets, Dimensions);
+
+template <int d>
+struct Raster {
+  bool operator()(const LatticePoint<d>& a, const LatticePoint<d>& b) const { return raster_less<d>(a, b); }
+};
+template <int d>
+using PointSet = std::set<LatticePoint<d>, Raster<d>>;
+
+template <int d>
+LatticePoint<d> random_point(const LatticeBox<d>& box, RandomStream& random) {
+  LatticePoint<d> z;
+  for (int k = 0; k < d; ++k) z[k] = box.lo[k] + int(random.below(std::uint32_t(box.hi[k] - box.lo[k] + 1)));
+  return z;
+}
+
+template <int d>
+PointSet<d> points_of(const DigitalSet<d>& set) {
+  PointSet<d> points;
+  for_each_point_of(set, [&](const LatticePoint<d>& z) {
+    EXPECT_TRUE(points.insert(z).second) << "visited twice: " << z.transpose();
+  });
+  return points;
+}
+
+TYPED_TEST(DigitalSets, BehaveLikeASetOfPoints) {
+  constexpr int d = TypeParam::value;
+  RandomStream random{1};
+  for (int trial = 0; trial < 10; ++trial) {
+    const int reach = 5 + 12 * trial;  // within a brick, within a page, over several pages
+    const LatticeBox<d> box{LatticePoint<d>::Constant(-reach), LatticePoint<d>::Constant(reach + trial)};
+    DigitalSet<d> set(box);
+    EXPECT_EQ(set.size(), 0);
+    PointSet<d> expected;
+    for (int i = 0; i < 3000; ++i) {
+      const LatticePoint<d> z = random_point<d>(box, random);
+      const bool value = random.below(3) != 0;
+      set.set(z, value);
+      value ? void(expected.insert(z)) : void(expected.erase(z));
+    }
+    EXPECT_EQ(set.size(), std::int64_t(expected.size()));
+    EXPECT_EQ(points_of(set), expected);
+    for (int i = 0; i < 3000; ++i) {
+      const LatticePoint<d> z = random_point<d>(box, random);
+      ASSERT_EQ(set.contains(z), expected.contains(z)) << z.transpose();
+    }
+  }
+}
+
+TYPED_TEST(DigitalSets, TheDomainIsWholePagesAroundTheBox) {
+  constexpr int d = TypeParam::value;
+  const LatticeBox<d> box{LatticePoint<d>::Constant(-100), LatticePoint<d>::Constant(3)};
+  const DigitalSet<d> set(box);
+  for (int k = 0; k < d; ++k) {
+    const int page = Brick<d>::extent(k) * DigitalSet<d>::kPageSide;
+    EXPECT_LE(set.domain().lo[k], -100);
+    EXPECT_GE(set.domain().hi[k], 3);
+    EXPECT_EQ(set.domain().lo[k] % page, 0);
+    EXPECT_EQ((set.domain().hi[k] + 1) % page, 0);
+    EXPECT_EQ(set.brick_box().extent()[k] * Brick<d>::extent(k), set.domain().extent()[k]);
+    EXPECT_EQ(set.page_box().extent()[k] * page, set.domain().extent()[k]);
+  }
+}
+
+TYPED_TEST(DigitalSets, NothingIsOutsideTheDomain) {
+  constexpr int d = TypeParam::value;
+  const LatticeBox<d> box{LatticePoint<d>::Constant(0), LatticePoint<d>::Constant(9)};
+  DigitalSet<d> set(box);
+  set.set_page(set.page_box().lo, DigitalSet<d>::kFull);
+  for (int k = 0; k < d; ++k) {
+    LatticePoint<d> z = set.domain().hi;
+    EXPECT_TRUE(set.contains(z));
+    ++z[k];
+    EXPECT_FALSE(set.contains(z));
+    EXPECT_THROW(set.set(z, true), ContractViolation);
+    EXPECT_EQ(set.state(Brick<d>::of(z)), DigitalSet<d>::kEmpty);
+    z = set.domain().lo;
+    --z[k];
+    EXPECT_FALSE(set.contains(z));
+    EXPECT_THROW(set.set(z, true), ContractViolation);
+  }
+  const LatticePoint<d> far = LatticePoint<d>::Constant(1 << 29);
+  EXPECT_FALSE(set.contains(far));
+  EXPECT_FALSE(set.contains(-far));
+}
+
+TYPED_TEST(DigitalSets, UniformPagesAndBricksAreNotStored) {
+  constexpr int d = TypeParam::value;
+  const LatticeBox<d> box{LatticePoint<d>::Constant(-300), LatticePoint<d>::Constant(300)};
+  DigitalSet<d> set(box);
+  const std::size_t empty = set.memory();
+  set.set_page(set.page_box().lo, DigitalSet<d>::kFull);
+  EXPECT_EQ(set.memory(), empty);
+  double page_points = 1;
+  for (int k = 0; k < d; ++k) page_points *= Brick<d>::extent(k) * DigitalSet<d>::kPageSide;
+  EXPECT_EQ(double(set.size()), page_points);
+
+  // A hole in the full page: the rest of the page stays full.
+  const LatticePoint<d> hole = set.domain().lo;
+  set.set(hole, false);
+  EXPECT_EQ(double(set.size()), page_points - 1);
+  EXPECT_FALSE(set.contains(hole));
+  EXPECT_TRUE(set.contains(hole + LatticePoint<d>::Unit(1)));
+  EXPECT_GE(set.state(Brick<d>::of(hole)), 0);
+  EXPECT_EQ(set.state(Brick<d>::of(hole) + LatticePoint<d>::Unit(0)), DigitalSet<d>::kFull);
+  EXPECT_THROW(set.set_page(set.page_box().lo, DigitalSet<d>::kEmpty), ContractViolation)
+      << "a stored page cannot be replaced";
+  EXPECT_THROW(set.set_page(set.page_box().hi, 0), ContractViolation);
+
+  // A stored brick that becomes uniform still reads right.
+  set.set(hole, true);
+  EXPECT_EQ(double(set.size()), page_points);
+  EXPECT_EQ(set.brick(Brick<d>::of(hole)), Brick<d>::full());
+}
+
+TYPED_TEST(DigitalSets, BorderBricksHoldAllPointsWithNeighboursOutside) {
+  constexpr int d = TypeParam::value;
+  RandomStream random{4};
+  const LatticeBox<d> box{LatticePoint<d>::Constant(-90), LatticePoint<d>::Constant(90)};
+  DigitalSet<d> set(box);
+  set.set_page(LatticePoint<d>::Constant(-1), DigitalSet<d>::kFull);
+  for (int i = 0; i < 200; ++i) set.set(random_point<d>(box, random), random.below(2) == 0);
+  PointSet<d> bricks;
+  for_each_border_brick(set, [&](const LatticePoint<d>& b) { EXPECT_TRUE(bricks.insert(b).second); });
+  for_each_point_of(set, [&](const LatticePoint<d>& z) {
+    for (int axis = 0; axis < d; ++axis)
+      for (const int direction : {-1, +1}) {
+        const bool at_border = !set.contains(z + direction * LatticePoint<d>::Unit(axis));
+        ASSERT_TRUE(!at_border || bricks.contains(Brick<d>::of(z))) << z.transpose();
+      }
+  });
+}
+
+TYPED_TEST(DigitalSets, ComplementHoldsTheOtherPointsOfTheBox) {
+  constexpr int d = TypeParam::value;
+  RandomStream random{5};
+  const LatticeBox<d> box{LatticePoint<d>::Constant(-9), LatticePoint<d>::Constant(12)};
+  DigitalSet<d> set(box);
+  for (int i = 0; i < 500; ++i) set.set(random_point<d>(box, random), true);
+  const LatticeBox<d> wide = box.dilated(3);
+  const DigitalSet<d> others = complement(set, wide);
+  EXPECT_EQ(double(set.size() + others.size()), wide.volume());
+  for_each_point(wide, [&](const LatticePoint<d>& z) { EXPECT_NE(set.contains(z), others.contains(z)); });
+}
+
+TEST(DigitalSetErrors, ADomainThatIsEmptyOrTooLarge) {
+  EXPECT_THROW(DigitalSet<2>({{0, 0}, {-1, 5}}), ContractViolation);
+  const int far = 1 << 29;
+  EXPECT_THROW(DigitalSet<3>({{-far, -far, -far}, {far, far, far}}), InputError);
+}
+
+}  // namespace
+}  // namespace gridstep
