@@ -398,30 +398,37 @@ namespace {
 
 /// Whether f > 0 on a whole box; gives up (false) after `budget` boxes, or at the first point where f <= 0.
 template <int d>
-bool proves_positive(const Formula& formula, const RealBox<d>& box, int& budget) {
-  if (--budget < 0) return false;
-  std::array<Interval, d> variables;
-  std::array<Jet1<Interval, d>, d> jets;
-  for (int k = 0; k < d; ++k) {
-    variables[k] = Interval(box.min()[k], box.max()[k]);
-    jets[k] = Jet1<Interval, d>::variable(variables[k], k);
+bool proves_positive(const Formula& formula, const RealBox<d>& whole, int& budget) {
+  std::vector<RealBox<d>> boxes{whole};  // a stack of its own: halving towards a zero of f goes deep
+  while (!boxes.empty()) {
+    if (--budget < 0) return false;
+    const RealBox<d> box = boxes.back();
+    boxes.pop_back();
+    std::array<Interval, d> variables;
+    std::array<Jet1<Interval, d>, d> jets;
+    for (int k = 0; k < d; ++k) {
+      variables[k] = Interval(box.min()[k], box.max()[k]);
+      jets[k] = Jet1<Interval, d>::variable(variables[k], k);
+    }
+    if (formula(std::span<const Interval>(variables)).lower() > 0) continue;
+    const RealPoint<d> middle = box.center();
+    const double f = formula(std::span<const double>(middle.data(), d));
+    if (!(f > 0)) return false;
+    const Jet1<Interval, d> slopes = formula(std::span<const Jet1<Interval, d>>(jets));
+    double lower = f;
+    for (int k = 0; k < d; ++k)
+      lower -= box.sizes()[k] / 2 *
+               std::max(std::abs(slopes.gradient[k].lower()), std::abs(slopes.gradient[k].upper()));
+    const RealPoint<d> far = box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs());
+    if (lower > 1e-13 * formula.magnitude({far.data(), d})) continue;
+    int axis;
+    box.sizes().maxCoeff(&axis);
+    RealBox<d> left = box, right = box;
+    left.max()[axis] = right.min()[axis] = middle[axis];
+    boxes.push_back(right);
+    boxes.push_back(left);
   }
-  if (formula(std::span<const Interval>(variables)).lower() > 0) return true;
-  const RealPoint<d> middle = box.center();
-  const double f = formula(std::span<const double>(middle.data(), d));
-  if (!(f > 0)) return false;
-  const Jet1<Interval, d> slopes = formula(std::span<const Jet1<Interval, d>>(jets));
-  double lower = f;
-  for (int k = 0; k < d; ++k)
-    lower -= box.sizes()[k] / 2 *
-             std::max(std::abs(slopes.gradient[k].lower()), std::abs(slopes.gradient[k].upper()));
-  const RealPoint<d> far = box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs());
-  if (lower > 1e-13 * formula.magnitude({far.data(), d})) return true;
-  int axis;
-  box.sizes().maxCoeff(&axis);
-  RealBox<d> left = box, right = box;
-  left.max()[axis] = right.min()[axis] = middle[axis];
-  return proves_positive<d>(formula, left, budget) && proves_positive<d>(formula, right, budget);
+  return true;
 }
 
 template <int d>
