@@ -19,6 +19,10 @@ struct Quantity {
   std::optional<double> proven_rate;
 };
 
+/// Where a value belongs, and where it is compared with the truth: at the centre of its surfel, or in 2D at the
+/// pointel at which the linel starts, walking with the set on the left.
+enum class ValuePosition { surfel_centre, start_pointel };
+
 template <int d>
 using EstimatorFactory =
     std::function<std::unique_ptr<Estimator<d>>(const DigitalSet<d>& set, const EstimatorOptions& options)>;
@@ -29,6 +33,8 @@ struct EstimatorEntry {
   struct Variant {
     std::vector<Quantity> quantities;
     EstimatorFactory<d> make;
+    ValuePosition position = ValuePosition::surfel_centre;
+    bool takes_radius = true;  ///< else the R of Estimator::init() is ignored
   };
   std::string name;
   std::string summary;
