@@ -1,5 +1,6 @@
 #pragma once
 
+#include <ostream>
 #include <string>
 
 namespace gridstep {
@@ -15,6 +16,9 @@ enum class Evaluation { full, masks };
 /// @throws InputError naming an unknown strategy and listing the known ones.
 Evaluation parse_evaluation(const std::string& name);
 std::string to_string(Evaluation evaluation);
+inline std::ostream& operator<<(std::ostream& out, Evaluation evaluation) {
+  return out << to_string(evaluation);
+}
 
 /// Where the kernel is centred: the value at a surfel is the mean of the sums at its two spels (the
 /// convention of the DGtal library), or comes from one sum around the surfel's own centre.

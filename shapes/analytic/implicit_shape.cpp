@@ -267,7 +267,7 @@ bool ImplicitShape<d>::is_minimum(const RealPoint<d>& query, const Foot& foot) c
 
 /// The closest foot on or off the rays of crossings(): after those, every box nearer than the best foot whose
 /// side is not decided, down to an eighth of its distance, is searched where it holds a point of the other
-/// side or is far from that foot.
+/// side or is far from that foot. Nothing where that takes too many boxes to be sure.
 template <int d>
 auto ImplicitShape<d>::search(const RealPoint<d>& query, double within) const -> std::optional<Foot> {
   std::optional<Foot> best;
@@ -286,7 +286,8 @@ auto ImplicitShape<d>::search(const RealPoint<d>& query, double within) const ->
   const bool inside = value(query) <= 0;
   const RealPoint<d> reach = RealPoint<d>::Constant(limit());
   std::vector<RealBox<d>> boxes{{query - reach, query + reach}};
-  for (int budget = 20000; !boxes.empty() && budget > 0; --budget) {
+  for (int budget = 20000; !boxes.empty(); --budget) {
+    if (budget == 0) return std::nullopt;
     const RealBox<d> box = boxes.back();
     boxes.pop_back();
     if (box.exteriorDistance(query) >= limit() || side_of_polynomial(box) != Side::crossing) continue;
