@@ -4,45 +4,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <map>
-#include <sstream>
 
 #include "estimators/catalogue.hpp"
+#include "estimators/testing_dumps.hpp"
 #include "shapes/analytic/catalogue.hpp"
 #include "shapes/digital/boundary.hpp"
 #include "shapes/digital/gauss_digitize.hpp"
 
 namespace gridstep {
 namespace {
-
-struct Dump {
-  std::map<std::string, std::string> header;  // h, re, nsurfels, ...
-  std::map<std::string, std::size_t> column;
-  std::vector<std::vector<double>> rows;
-
-  double at(std::size_t row, const std::string& name) const { return rows[row][column.at(name)]; }
-};
-
-Dump read_dump(const std::filesystem::path& path) {
-  Dump dump;
-  std::ifstream file(path);
-  std::string line, word;
-  std::getline(file, line);
-  for (std::istringstream words(line); words >> word;)
-    if (const auto equals = word.find('='); equals != std::string::npos)
-      dump.header[word.substr(0, equals)] = word.substr(equals + 1);
-  std::getline(file, line);
-  for (std::istringstream names(line); std::getline(names, word, ',');)
-    dump.column.emplace(word, dump.column.size());
-  while (std::getline(file, line)) {
-    dump.rows.emplace_back();
-    for (std::istringstream values(line); std::getline(values, word, ',');)
-      dump.rows.back().push_back(std::stod(word));
-  }
-  return dump;
-}
 
 template <int d>
 std::vector<int> key_of(const Surfel<d>& surfel) {
@@ -61,8 +31,7 @@ std::ostream& operator<<(std::ostream& out, const Case& c) {
 class ReferenceDump : public testing::TestWithParam<std::tuple<Case, Evaluation>> {
  protected:
   void SetUp() override {
-    const auto path =
-        std::filesystem::path(GRIDSTEP_SOURCE_DIR) / "../shared/reference" / std::get<0>(GetParam()).file;
+    const auto path = dump_path(std::get<0>(GetParam()).file);
     if (!std::filesystem::exists(path)) GTEST_SKIP() << "no reference dumps here";
     dump = read_dump(path);
     ASSERT_FALSE(dump.rows.empty());
