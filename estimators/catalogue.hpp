@@ -9,6 +9,7 @@
 
 #include "estimators/estimator.hpp"
 #include "estimators/options.hpp"
+#include "estimators/value_position.hpp"
 
 namespace gridstep {
 
@@ -18,10 +19,6 @@ struct Quantity {
   /// Exponent p of the proven bound O(h^p) of its sup error, where there is one, with R = k h^(1/3).
   std::optional<double> proven_rate;
 };
-
-/// Where a value belongs, and where it is compared with the truth: at the centre of its surfel, or in 2D at the
-/// pointel at which the linel starts, walking with the set on the left.
-enum class ValuePosition { surfel_centre, start_pointel };
 
 template <int d>
 using EstimatorFactory =
@@ -34,7 +31,7 @@ struct EstimatorEntry {
     std::vector<Quantity> quantities;
     EstimatorFactory<d> make;
     ValuePosition position = ValuePosition::surfel_centre;
-    bool takes_radius = true;  ///< else the R of Estimator::init() is ignored
+    bool takes_radius = true;  ///< else the R of Estimator::init() and the options are ignored
   };
   std::string name;
   std::string summary;

@@ -11,7 +11,8 @@
 #include "estimators/testing_sets.hpp"
 #include "shapes/digital/boundary.hpp"
 
-// Contract tests: whatever is listed in estimators/catalogue.inc is tested here, with every option.
+// Contract tests: whatever is listed in estimators/catalogue.inc is tested here, with every option. Those that
+// take no radius are tested in contour/contract_test.cpp.
 
 namespace gridstep {
 namespace {
@@ -48,6 +49,7 @@ std::vector<Row> rows() {
   std::vector<Row> result;
   for (const EstimatorEntry& entry : estimator_catalogue()) {
     if (d == 2 ? !entry.in_2d : !entry.in_3d) continue;
+    if (!entry.variant<d>().takes_radius) continue;
     for (const Evaluation evaluation : {Evaluation::full, Evaluation::masks})
       for (const KernelCentre centre : {KernelCentre::spels, KernelCentre::surfel})
         result.push_back({entry.name, {evaluation, centre}});

@@ -10,6 +10,7 @@
 #include <set>
 #include <tuple>
 
+#include "experiments/compared.hpp"
 #include "experiments/core/text.hpp"
 
 namespace gridstep {
@@ -42,14 +43,24 @@ double median(std::vector<double> values) {
   return n % 2 ? values[n / 2] : (values[n / 2 - 1] + values[n / 2]) / 2;
 }
 
-std::string radius_text(double k, double alpha) {
-  return fmt::format("{:.4g} h^{:.3g}", k, alpha);
+std::string radius_text(const Setting& setting) {
+  return setting.takes_radius() ? fmt::format("{:.4g} h^{:.3g}", setting.k, setting.alpha) : "-";
 }
 
 /// The column of centres is only there where one is not the usual one.
 template <class Row>
 bool has_other_centres(const std::vector<Row>& rows) {
-  return std::any_of(rows.begin(), rows.end(), [](const Row& row) { return row.centre != "spels"; });
+  return std::any_of(rows.begin(), rows.end(),
+                     [](const Row& row) { return row.takes_radius() && row.centre != "spels"; });
+}
+
+/// What the theorem on a quantity says for this radius. Theorems speak of Gauss digitization, without noise.
+std::optional<double> expected_exponent(const Setting& setting, const std::string& quantity) {
+  if (setting.noise > 0) return std::nullopt;
+  for (const Compared& compared : compared_quantities(setting.estimator, setting.dimension))
+    if (compared.name == quantity && compared.proven_rate)
+      return setting.takes_radius() ? proven_exponent(setting.alpha) : compared.proven_rate;
+  return std::nullopt;
 }
 
 }  // namespace
@@ -60,30 +71,21 @@ std::optional<double> proven_exponent(double alpha) {
 }
 
 std::vector<Convergence> convergence_of(const std::vector<Record>& records, std::uint64_t seed) {
-  using Key =
-      std::tuple<std::string, std::string, std::string, double, double, double, std::string, std::string>;
-  // The step is part of it: one sweep may take the whole kernel at coarse steps, another one masks at fine
-  // ones.
-  using StepKey = std::tuple<std::string, std::string, std::string, double, double, double, double>;
-  Grouped<Key, Convergence> series;
-  std::map<StepKey, std::string> first_evaluation;
+  Grouped<std::tuple<Setting, std::string, std::string>, Convergence> series;
+  // The step is part of the key: one sweep may take the whole kernel at coarse steps, another one masks at
+  // fine ones.
+  std::map<std::pair<Setting, double>, std::string> first_evaluation;
   for (const Record& record : records) {
-    const StepKey step{record.shape, record.estimator, record.centre, record.k,
-                       record.alpha, record.noise,     record.h};
-    if (first_evaluation.emplace(step, record.evaluation).first->second != record.evaluation) continue;
+    const Setting& setting = record;
+    const auto first = first_evaluation.emplace(std::pair(setting, record.h), record.evaluation).first;
+    if (first->second != record.evaluation) continue;
     for (const auto& [quantity, norms] : record.errors)
       for (const auto& [norm, member] : kNorms) {
-        Convergence& c = series[{record.shape, record.estimator, record.centre, record.k, record.alpha,
-                                 record.noise, quantity, norm}];
+        Convergence& c = series[{setting, quantity, norm}];
         if (c.levels.empty()) {
-          c.shape = record.shape;
-          c.estimator = record.estimator;
-          c.centre = record.centre;
+          static_cast<Setting&>(c) = setting;
           c.quantity = quantity;
           c.norm = norm;
-          c.k = record.k;
-          c.alpha = record.alpha;
-          c.noise = record.noise;
         }
         auto level =
             std::find_if(c.levels.begin(), c.levels.end(), [&](const Level& l) { return l.h == record.h; });
@@ -94,9 +96,8 @@ std::vector<Convergence> convergence_of(const std::vector<Record>& records, std:
   for (Convergence& c : series.values) {
     std::sort(c.levels.begin(), c.levels.end(), [](const Level& a, const Level& b) { return a.h > b.h; });
     c.fit = fit_slope(c.levels, seed);
-    // Theorems speak of Gauss digitization, without noise.
-    if (c.noise == 0) c.expected = proven_exponent(c.alpha);
-    if (c.expected) c.verdict = judge(c.fit, *c.expected);
+    c.expected = expected_exponent(c, c.quantity);
+    c.verdict = c.expected ? judge(c.fit, *c.expected) : judge(c.fit);
   }
   return std::move(series.values);
 }
@@ -106,19 +107,16 @@ std::vector<Cost> costs_of(const std::vector<Record>& records) {
     const Record* record = nullptr;
     std::map<double, std::vector<const Record*>, std::greater<>> by_step;
   };
-  using Key = std::tuple<std::string, std::string, std::string, std::string, double, double>;
-  Grouped<Key, Samples> groups;
+  Grouped<std::pair<Setting, std::string>, Samples> groups;
   for (const Record& record : records) {
-    if (record.noise != 0) continue;
-    Samples& samples =
-        groups[{record.shape, record.estimator, record.evaluation, record.centre, record.k, record.alpha}];
+    Samples& samples = groups[{record, record.evaluation}];
     samples.record = &record;
     samples.by_step[record.h].push_back(&record);
   }
   std::vector<Cost> costs;
   for (const Samples& samples : groups.values) {
     const Record& r = *samples.record;
-    Cost cost{r.shape, r.estimator, r.evaluation, r.centre, r.dimension, r.k, r.alpha, {}};
+    Cost cost{r, r.evaluation, {}};
     for (const auto& [h, at_step] : samples.by_step) {
       const auto middle = [&](auto field) {
         std::vector<double> values;
@@ -170,7 +168,7 @@ Table convergence_table(const std::vector<Convergence>& series) {
     };
     std::vector<std::string> row{c.shape,
                                  c.estimator,
-                                 radius_text(c.k, c.alpha),
+                                 radius_text(c),
                                  c.quantity,
                                  c.norm,
                                  fmt::format("{:.4g}", c.levels.front().h),
@@ -182,9 +180,9 @@ Table convergence_table(const std::vector<Convergence>& series) {
                                  c.fit.fitted ? format_slope(c.fit.theil_sen) : "-",
                                  c.fit.fitted ? format_slope(c.fit.envelope_slope) : "-",
                                  c.expected ? format_slope(*c.expected) : "-",
-                                 c.verdict ? std::string(to_string(*c.verdict)) : "-"};
+                                 std::string(to_string(c.verdict))};
     if (noisy) row.insert(row.begin() + 1, fmt::format("{:.3g}", c.noise));
-    if (centred) row.insert(row.begin() + 1, c.centre);
+    if (centred) row.insert(row.begin() + 1, c.takes_radius() ? c.centre : "-");
     table.rows.push_back(std::move(row));
   }
   return table;
@@ -217,7 +215,8 @@ std::string exponent_text(const std::optional<double>& exponent) {
 }
 
 /// Cells read on a whole surface grow like h^-(d-1) surfels times (R/h)^d or (R/h)^(d-1), R = k h^alpha.
-double expected_growth(const Cost& cost) {
+std::optional<double> expected_growth(const Cost& cost) {
+  if (!cost.takes_radius() || cost.evaluation.empty()) return std::nullopt;
   const int per_surfel = cost.evaluation == "full" ? cost.dimension : cost.dimension - 1;
   return -(cost.dimension - 1) - per_surfel * (1 - cost.alpha);
 }
@@ -250,21 +249,20 @@ Table cost_table(const std::vector<Cost>& costs) {
   const bool centred = has_other_centres(costs);
   if (centred) table.columns.insert(table.columns.begin() + 1, Column{"centre", left});
   for (const Cost& cost : costs) {
+    if (cost.noise > 0) continue;  // the same work on a longer boundary
     const Cost::Step& last = cost.steps.back();
     std::string ratio = "-";
     for (const Cost& full : costs)
       if (full.evaluation == "full" && cost.evaluation != "full" &&
-          std::tie(full.shape, full.estimator, full.centre, full.k, full.alpha) ==
-              std::tie(cost.shape, cost.estimator, cost.centre, cost.k, cost.alpha) &&
-          last.seconds_eval > 0)
+          static_cast<const Setting&>(full) == cost && last.seconds_eval > 0)
         for (const Cost::Step& step : full.steps)
           if (step.h == last.h) ratio = fmt::format("{:.1f}x", step.seconds_eval / last.seconds_eval);
     std::vector<std::string> row{cost.shape,
                                  cost.estimator,
-                                 radius_text(cost.k, cost.alpha),
-                                 cost.evaluation,
+                                 radius_text(cost),
+                                 cost.evaluation.empty() ? "-" : cost.evaluation,
                                  fmt::format("{:.4g}", last.h),
-                                 fmt::format("{:.4g}", last.digital_radius),
+                                 cost.takes_radius() ? fmt::format("{:.4g}", last.digital_radius) : "-",
                                  fmt::format("{:.0f}", last.surfels),
                                  format_seconds(last.seconds_init),
                                  format_seconds(last.seconds_eval),
@@ -274,10 +272,10 @@ Table cost_table(const std::vector<Cost>& costs) {
                                  ratio,
                                  exponent_text(growth(cost, kStep, kSeconds)),
                                  exponent_text(growth(cost, kStep, kCells)),
-                                 fmt::format("{:.2f}", expected_growth(cost)),
+                                 exponent_text(expected_growth(cost)),
                                  exponent_text(growth(cost, kRadius, kCellsEach)),
                                  exponent_text(growth(cost, kRadius, kSecondsEach))};
-    if (centred) row.insert(row.begin() + 1, cost.centre);
+    if (centred) row.insert(row.begin() + 1, cost.takes_radius() ? cost.centre : "-");
     table.rows.push_back(std::move(row));
   }
   return table;
@@ -295,7 +293,6 @@ template <class T>
 ordered_json optional_json(const std::optional<T>& x) {
   return x ? ordered_json(*x) : ordered_json(nullptr);
 }
-
 }  // namespace
 
 ordered_json to_json(const std::vector<Convergence>& series) {
@@ -310,25 +307,21 @@ ordered_json to_json(const std::vector<Convergence>& series) {
                       {"interval", interval_json(row.interval)}});
     for (const PairwiseOrder& p : c.fit.pairwise)
       pairwise.push_back({{"coarse", p.coarse}, {"fine", p.fine}, {"order", p.order}});
-    result.push_back({{"shape", c.shape},
-                      {"estimator", c.estimator},
-                      {"centre", c.centre},
-                      {"quantity", c.quantity},
-                      {"norm", c.norm},
-                      {"k", c.k},
-                      {"alpha", c.alpha},
-                      {"noise", c.noise},
-                      {"slope", c.fit.slope},
-                      {"constant", c.fit.constant},
-                      {"interval", interval_json(c.fit.interval)},
-                      {"theil_sen", c.fit.theil_sen},
-                      {"envelope_slope", c.fit.envelope_slope},
-                      {"expected", optional_json(c.expected)},
-                      {"verdict", c.verdict ? ordered_json(to_string(*c.verdict)) : ordered_json(nullptr)},
-                      {"zero_errors", c.fit.zero_errors},
-                      {"levels", levels},
-                      {"scan", scan},
-                      {"pairwise", pairwise}});
+    ordered_json json = setting_json(c);
+    json.update({{"quantity", c.quantity},
+                 {"norm", c.norm},
+                 {"slope", c.fit.slope},
+                 {"constant", c.fit.constant},
+                 {"interval", interval_json(c.fit.interval)},
+                 {"theil_sen", c.fit.theil_sen},
+                 {"envelope_slope", c.fit.envelope_slope},
+                 {"expected", optional_json(c.expected)},
+                 {"verdict", to_string(c.verdict)},
+                 {"zero_errors", c.fit.zero_errors},
+                 {"levels", levels},
+                 {"scan", scan},
+                 {"pairwise", pairwise}});
+    result.push_back(std::move(json));
   }
   return result;
 }
@@ -346,18 +339,15 @@ ordered_json to_json(const std::vector<Cost>& costs) {
                        {"cells_visited", s.cells_visited},
                        {"restarts", s.restarts},
                        {"evaluations", s.evaluations}});
-    result.push_back({{"shape", cost.shape},
-                      {"estimator", cost.estimator},
-                      {"evaluation", cost.evaluation},
-                      {"centre", cost.centre},
-                      {"k", cost.k},
-                      {"alpha", cost.alpha},
-                      {"time_in_h", optional_json(growth(cost, kStep, kSeconds))},
-                      {"cells_in_h", optional_json(growth(cost, kStep, kCells))},
-                      {"expected_in_h", expected_growth(cost)},
-                      {"cells_in_radius", optional_json(growth(cost, kRadius, kCellsEach))},
-                      {"time_in_radius", optional_json(growth(cost, kRadius, kSecondsEach))},
-                      {"steps", steps}});
+    ordered_json json = setting_json(cost);
+    json.update({{"evaluation", cost.evaluation.empty() ? ordered_json() : ordered_json(cost.evaluation)},
+                 {"time_in_h", optional_json(growth(cost, kStep, kSeconds))},
+                 {"cells_in_h", optional_json(growth(cost, kStep, kCells))},
+                 {"expected_in_h", optional_json(expected_growth(cost))},
+                 {"cells_in_radius", optional_json(growth(cost, kRadius, kCellsEach))},
+                 {"time_in_radius", optional_json(growth(cost, kRadius, kSecondsEach))},
+                 {"steps", steps}});
+    result.push_back(std::move(json));
   }
   return result;
 }

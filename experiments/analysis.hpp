@@ -12,13 +12,12 @@
 namespace gridstep {
 
 /// The errors of one quantity in one norm along a schedule, and what they say about convergence.
-struct Convergence {
-  std::string shape, estimator, centre, quantity, norm;
-  double k, alpha, noise;
+struct Convergence : Setting {
+  std::string quantity, norm;
   std::vector<Level> levels;
   SlopeFit fit;
-  std::optional<double> expected;  ///< exponent that theory gives, where it gives a positive one
-  std::optional<Verdict> verdict;  ///< on `expected`
+  std::optional<double> expected;        ///< exponent that a theorem gives, where it gives a positive one
+  Verdict verdict = Verdict::undecided;  ///< on `expected`, or without one on convergence at all
 };
 
 /// The exponent p of the bound O(h^p) on the sup error of integral invariants with R = k h^alpha: the smaller
@@ -32,13 +31,11 @@ std::optional<double> proven_exponent(double alpha);
 std::vector<Convergence> convergence_of(const std::vector<Record>& records, std::uint64_t seed);
 
 /// The cost of one way of evaluation along a schedule, as medians over the shifts.
-struct Cost {
+struct Cost : Setting {
   struct Step {
     double h, digital_radius, surfels, seconds_init, seconds_eval, cells_visited, restarts, evaluations;
   };
-  std::string shape, estimator, evaluation, centre;
-  int dimension;
-  double k, alpha;
+  std::string evaluation;
   std::vector<Step> steps;
 };
 std::vector<Cost> costs_of(const std::vector<Record>& records);

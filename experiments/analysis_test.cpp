@@ -20,6 +20,7 @@ struct Manufactured {
   std::vector<std::string> evaluations{"full", "masks"};
   std::vector<double> steps{std::begin(kSteps), std::end(kSteps)};
   int dimension = 2;
+  bool rotated = false;
 };
 
 constexpr double kFactors[] = {0.5, 1, 4};
@@ -39,6 +40,7 @@ std::vector<Record> records(const Manufactured& m) {
         r.k = m.k;
         r.alpha = m.alpha;
         r.noise = m.noise;
+        r.rotated = m.rotated;
         r.shift = shift;
         r.offset.assign(std::size_t(m.dimension), 0.1 * shift);
         r.digital_radius = m.k * std::pow(h, m.alpha) / h;
@@ -113,24 +115,45 @@ TEST(ConvergenceOf, JudgesAgainstTheExponentOfTheRadius) {
   EXPECT_EQ(verdict(0, 1.0 / 3), Verdict::not_converging);
   EXPECT_EQ(verdict(-0.5, 0.4), Verdict::not_converging);
   EXPECT_EQ(verdict(0.2, 0.4), Verdict::consistent);
-  EXPECT_EQ(verdict(0.5, 0.5), std::nullopt) << "no theorem";
+  EXPECT_EQ(verdict(0.5, 0.5), Verdict::converging) << "no theorem";
+  EXPECT_EQ(verdict(0.01, 0.5), Verdict::not_converging);
 }
 
-TEST(ConvergenceOf, HasNoVerdictOnNoise) {
+TEST(ConvergenceOf, HoldsNoTheoremAgainstNoise) {
   for (const Convergence& c : convergence_of(records({.noise = 0.1}), 1)) {
     EXPECT_NEAR(c.fit.slope, 1.0 / 3, 1e-12);
     EXPECT_EQ(c.expected, std::nullopt);
-    EXPECT_EQ(c.verdict, std::nullopt);
+    EXPECT_EQ(c.verdict, Verdict::converging);
   }
+}
+
+TEST(ConvergenceOf, TakesTheTheoremFromTheCatalogue) {
+  std::vector<Record> all = records({.estimator = "ii-covariance", .p = 0.25, .dimension = 3});
+  for (Record& r : all) r.errors = {{"k1", r.errors[0].second}, {"normal", r.errors[0].second}};
+  const auto series = convergence_of(all, 1);
+  EXPECT_NEAR(series[0].expected.value(), 1.0 / 3, 1e-15);
+  EXPECT_EQ(series[0].verdict, Verdict::slower);
+  EXPECT_EQ(series[3].expected, std::nullopt) << "none on normals";
+  EXPECT_EQ(series[3].verdict, Verdict::converging);
+}
+
+TEST(ConvergenceOf, KnowsEstimatorsWithoutARadius) {
+  const auto series =
+      convergence_of(records({.estimator = "bc", .k = 0, .alpha = 0, .evaluations = {""}}), 1);
+  ASSERT_EQ(series.size(), 3u);
+  EXPECT_EQ(series[0].verdict, Verdict::converging);
+  const Table table = convergence_table(series);
+  EXPECT_EQ(table.rows[0][column(table, "R")], "-");
 }
 
 TEST(ConvergenceOf, KeepsSeriesApartInTheOrderOfTheRecords) {
   const std::vector<Record> all =
       records({.shape = "b"}) + records({.shape = "a"}) + records({.shape = "a", .estimator = "other"}) +
       records({.shape = "a", .k = 3}) + records({.shape = "a", .alpha = 0.25}) +
-      records({.shape = "a", .noise = 0.1}) + records({.shape = "a", .centre = "surfel"});
+      records({.shape = "a", .noise = 0.1}) + records({.shape = "a", .centre = "surfel"}) +
+      records({.shape = "a", .rotated = true});
   const auto series = convergence_of(all, 1);
-  ASSERT_EQ(series.size(), 7 * 3u);
+  ASSERT_EQ(series.size(), 8 * 3u);
   for (const Convergence& c : series) {
     EXPECT_EQ(c.levels.size(), std::size(kSteps));
     for (const Level& level : c.levels) EXPECT_EQ(level.errors.size(), 3u);
@@ -142,6 +165,7 @@ TEST(ConvergenceOf, KeepsSeriesApartInTheOrderOfTheRecords) {
   EXPECT_EQ(series[12].alpha, 0.25);
   EXPECT_EQ(series[15].noise, 0.1);
   EXPECT_EQ(series[18].centre, "surfel");
+  EXPECT_TRUE(series[21].rotated);
 }
 
 TEST(ConvergenceOf, MergesStepsOfSeveralSweepsAndEvaluations) {
@@ -246,9 +270,11 @@ TEST(CostsOf, TakesMediansOverShifts) {
   EXPECT_NEAR(finest.digital_radius, 5 * std::pow(0.04, -2.0 / 3), 1e-12);
 }
 
-TEST(CostsOf, LeaveNoiseOut) {
-  EXPECT_EQ(costs_of(records({}) + records({.noise = 0.1})).size(), 2u);
-  EXPECT_TRUE(costs_of(records({.noise = 0.1})).empty());
+TEST(CostsOf, KeepNoiseApartAndTheTableLeavesItOut) {
+  const auto costs = costs_of(records({}) + records({.noise = 0.1}));
+  ASSERT_EQ(costs.size(), 4u);
+  EXPECT_EQ(costs[2].noise, 0.1);
+  EXPECT_EQ(cost_table(costs).rows.size(), 2u);
 }
 
 TEST(CostTable, ShowsGrowthAndSpeedUp) {

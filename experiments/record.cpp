@@ -8,39 +8,46 @@ namespace gridstep {
 
 using nlohmann::ordered_json;
 
+ordered_json setting_json(const Setting& s) {
+  const ordered_json none;
+  return {{"shape", s.shape},
+          {"dimension", s.dimension},
+          {"noise", s.noise},
+          {"rotated", s.rotated},
+          {"estimator", s.estimator},
+          {"centre", s.takes_radius() ? ordered_json(s.centre) : none},
+          {"k", s.takes_radius() ? ordered_json(s.k) : none},
+          {"alpha", s.takes_radius() ? ordered_json(s.alpha) : none}};
+}
+
 ordered_json to_json(const Record& r) {
   ordered_json errors = ordered_json::object();
   for (const auto& [quantity, norms] : r.errors)
     errors[quantity] = {{"sup", norms.sup}, {"rms", norms.rms}, {"mean", norms.mean}, {"count", norms.count}};
-  return {{"shape", r.shape},
-          {"dimension", r.dimension},
-          {"noise", r.noise},
-          {"h", r.h},
-          {"shift", r.shift},
-          {"offset", r.offset},
-          {"estimator", r.estimator},
-          {"evaluation", r.evaluation},
-          {"centre", r.centre},
-          {"k", r.k},
-          {"alpha", r.alpha},
-          {"digital_radius", r.digital_radius},
-          {"surfels", r.surfels},
-          {"singular", r.singular},
-          {"far", r.far},
-          {"components", r.components},
-          {"truth_residual", r.worst_residual},
-          {"errors", errors},
-          {"work",
-           {{"evaluations", r.work.evaluations},
-            {"cells_visited", r.work.cells_visited},
-            {"restarts", r.work.restarts},
-            {"kernel_size", r.work.kernel_size},
-            {"mask_sizes", r.work.mask_sizes}}},
-          {"seconds",
-           {{"digitize", r.seconds_digitize},
-            {"truth", r.seconds_truth},
-            {"init", r.seconds_init},
-            {"eval", r.seconds_eval}}}};
+  ordered_json json = setting_json(r);
+  json.update({{"evaluation", r.evaluation.empty() ? ordered_json() : ordered_json(r.evaluation)},
+               {"h", r.h},
+               {"digital_radius", r.takes_radius() ? ordered_json(r.digital_radius) : ordered_json()},
+               {"shift", r.shift},
+               {"offset", r.offset},
+               {"surfels", r.surfels},
+               {"singular", r.singular},
+               {"far", r.far},
+               {"components", r.components},
+               {"truth_residual", r.worst_residual},
+               {"errors", errors},
+               {"work",
+                {{"evaluations", r.work.evaluations},
+                 {"cells_visited", r.work.cells_visited},
+                 {"restarts", r.work.restarts},
+                 {"kernel_size", r.work.kernel_size},
+                 {"mask_sizes", r.work.mask_sizes}}},
+               {"seconds",
+                {{"digitize", r.seconds_digitize},
+                 {"truth", r.seconds_truth},
+                 {"init", r.seconds_init},
+                 {"eval", r.seconds_eval}}}});
+  return json;
 }
 
 Record record_from(const ordered_json& json) {
@@ -49,15 +56,18 @@ Record record_from(const ordered_json& json) {
     json.at("shape").get_to(r.shape);
     json.at("dimension").get_to(r.dimension);
     json.at("noise").get_to(r.noise);
+    json.at("rotated").get_to(r.rotated);
     json.at("h").get_to(r.h);
     json.at("shift").get_to(r.shift);
     json.at("offset").get_to(r.offset);
     json.at("estimator").get_to(r.estimator);
-    json.at("evaluation").get_to(r.evaluation);
-    json.at("centre").get_to(r.centre);
-    json.at("k").get_to(r.k);
-    json.at("alpha").get_to(r.alpha);
-    json.at("digital_radius").get_to(r.digital_radius);
+    if (!json.at("evaluation").is_null()) json.at("evaluation").get_to(r.evaluation);
+    if (!json.at("centre").is_null()) json.at("centre").get_to(r.centre);
+    if (!json.at("k").is_null()) {
+      json.at("k").get_to(r.k);
+      json.at("alpha").get_to(r.alpha);
+      json.at("digital_radius").get_to(r.digital_radius);
+    }
     json.at("surfels").get_to(r.surfels);
     json.at("singular").get_to(r.singular);
     json.at("far").get_to(r.far);

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "experiments/compared.hpp"
 #include "experiments/core/build_info.hpp"
 #include "experiments/core/journal.hpp"
 #include "experiments/core/progress.hpp"
@@ -42,20 +43,15 @@ std::vector<Job> jobs_of(const Study& study) {
   return jobs;
 }
 
-/// How many records a job has.
-std::size_t records_of(const Sweep& sweep) {
-  return sweep.radii.size() * sweep.estimators.size() * sweep.evaluations.size();
-}
-
 /// Proportional to the expected time: cells read at every surfel of the bounding box.
 template <int d>
 double work_of(const Sweep& sweep, const Shape<d>& shape, GridStep h) {
   const double surfels = std::pow(shape.size() / h.value, d - 1);
   double reads = 300;  // digitization and truth
-  for (const RadiusRule& rule : sweep.radii)
-    for (const Evaluation evaluation : sweep.evaluations)
-      reads += double(sweep.estimators.size()) *
-               std::pow(to_digital(rule.at(h), h).value, evaluation == Evaluation::full ? d : d - 1);
+  for (const Method& method : sweep.methods())
+    reads += method.radius ? std::pow(to_digital(method.radius->at(h), h).value,
+                                      method.evaluation == Evaluation::full ? d : d - 1)
+                           : 300;
   return surfels * reads;
 }
 
@@ -78,13 +74,31 @@ double timed(bool alone, Function evaluate) {
   return best;
 }
 
-/// The scalar quantities of an estimator that the theory speaks of, by name.
+/// The truth where the values of some estimators of a sweep belong.
+struct TruthAt {
+  Truth truth;
+  double seconds;
+};
+
 template <int d>
-std::vector<std::string> judged_quantities(const std::string& estimator) {
-  std::vector<std::string> names;
-  for (const Quantity& quantity : find_estimator(estimator).variant<d>().quantities)
-    if (quantity.proven_rate) names.push_back(quantity.name);
-  return names;
+std::map<ValuePosition, TruthAt> truths_of(const Sweep& sweep, const Shape<d>& shape, const Scene<d>& scene) {
+  std::map<ValuePosition, std::vector<std::string>> columns;
+  for (const std::string& estimator : sweep.estimators) {
+    const auto& variant = find_estimator(estimator).variant<d>();
+    std::vector<std::string>& names = columns[variant.position];
+    for (const Compared& compared : compared_quantities(variant))
+      for (const std::string& name : compared.columns)
+        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  }
+  std::map<ValuePosition, TruthAt> truths;
+  for (const auto& [position, names] : columns) {
+    const auto start = std::chrono::steady_clock::now();
+    const GridStep h = scene.settings.h;
+    Truth truth = truth_at<d>(shape, scene.settings, value_points<d>(position, scene.surfels, h),
+                              farthest_from_boundary(position, h), names);
+    truths[position] = {std::move(truth), seconds_since(start)};
+  }
+  return truths;
 }
 
 template <int d>
@@ -99,67 +113,60 @@ std::vector<Record> run_job(const Study& study, const Job& job, const Shape<d>& 
   settings.noise = sweep.noise[job.noise];
   settings.noise_seed = random.bits();
 
-  auto start = std::chrono::steady_clock::now();
+  const auto start = std::chrono::steady_clock::now();
   const Scene<d> scene = make_scene<d>(shape, settings);
   Record common;
   common.seconds_digitize = seconds_since(start);
-
-  std::vector<std::string> quantities;
-  for (const std::string& estimator : sweep.estimators)
-    for (const std::string& quantity : judged_quantities<d>(estimator))
-      if (std::find(quantities.begin(), quantities.end(), quantity) == quantities.end())
-        quantities.push_back(quantity);
-  start = std::chrono::steady_clock::now();
-  const Truth truth = truth_at_surfels<d>(shape, settings, scene.surfels, quantities);
-  common.seconds_truth = seconds_since(start);
 
   common.shape = sweep.shapes[job.shape].canonical();
   common.dimension = d;
   common.h = h.value;
   common.noise = settings.noise;
+  common.rotated = sweep.rotate;
   common.shift = job.shift;
   common.offset.assign(settings.placement.shift.begin(), settings.placement.shift.end());
   common.surfels = std::int64_t(scene.surfels.size());
-  common.singular = truth.singular;
-  common.far = truth.far;
   common.components = std::int64_t(scene.components);
-  common.worst_residual = truth.worst_residual;
 
+  const std::map<ValuePosition, TruthAt> truths = truths_of(sweep, shape, scene);
   std::vector<Record> records;
-  for (const RadiusRule& rule : sweep.radii)
-    for (const std::string& name : sweep.estimators) {
-      std::optional<Estimates> reference;
-      for (const Evaluation evaluation : sweep.evaluations) {
-        Record record = common;
-        record.estimator = name;
-        record.evaluation = to_string(evaluation);
-        record.centre = sweep.centre == KernelCentre::spels ? "spels" : "surfel";
-        record.k = rule.k;
-        record.alpha = rule.alpha;
-        record.digital_radius = to_digital(rule.at(h), h).value;
-        const auto estimator = find_estimator(name).variant<d>().make(scene.set, {evaluation, sweep.centre});
-        Estimates estimates;
-        record.seconds_init = timed(study.timing, [&] { estimator->init(h, rule.at(h)); });
-        record.seconds_eval = timed(study.timing, [&] { estimates = estimator->eval(scene.surfels); });
-        record.work = estimator->work();
-        if (!reference)
-          reference = estimator->raw();
-        else if (estimator->raw().columns != reference->columns)
-          throw std::runtime_error(
-              fmt::format("{} at h = {}: the sums of evaluation '{}' differ from those of '{}'", common.shape,
-                          h.value, record.evaluation, to_string(sweep.evaluations.front())));
-        for (const std::string& quantity : judged_quantities<d>(name)) {
-          const std::vector<double>& values = estimates[quantity];
-          const std::vector<double>& exact = truth.columns[std::size_t(
-              std::find(quantities.begin(), quantities.end(), quantity) - quantities.begin())];
-          std::vector<double> errors;
-          for (std::size_t i = 0; i < values.size(); ++i)
-            if (truth.known[i]) errors.push_back(values[i] - exact[i]);
-          if (!errors.empty()) record.errors.emplace_back(quantity, error_norms(errors));
-        }
-        records.push_back(std::move(record));
-      }
+  std::optional<Estimates> first_sums;  // of the method's estimator and radius
+  for (const Method& method : sweep.methods()) {
+    const auto& variant = find_estimator(method.estimator).variant<d>();
+    const auto& [truth, seconds_truth] = truths.at(variant.position);
+    Record record = common;
+    record.estimator = method.estimator;
+    record.singular = truth.singular;
+    record.far = truth.far;
+    record.worst_residual = truth.worst_residual;
+    record.seconds_truth = seconds_truth;
+    EuclideanLength R{0};
+    if (method.radius) {
+      R = method.radius->at(h);
+      record.evaluation = to_string(*method.evaluation);
+      record.centre = sweep.centre == KernelCentre::spels ? "spels" : "surfel";
+      record.k = method.radius->k;
+      record.alpha = method.radius->alpha;
+      record.digital_radius = to_digital(R, h).value;
     }
+    const auto estimator =
+        variant.make(scene.set, {method.evaluation.value_or(Evaluation::masks), sweep.centre});
+    Estimates estimates;
+    record.seconds_init = timed(study.timing, [&] { estimator->init(h, R); });
+    record.seconds_eval = timed(study.timing, [&] { estimates = estimator->eval(scene.surfels); });
+    record.work = estimator->work();
+    if (method.evaluation == sweep.evaluations.front())
+      first_sums = estimator->raw();
+    else if (method.evaluation && estimator->raw().columns != first_sums->columns)
+      throw std::runtime_error(
+          fmt::format("{} at h = {}: the sums of evaluation '{}' differ from those of '{}'", common.shape,
+                      h.value, record.evaluation, to_string(sweep.evaluations.front())));
+    for (const Compared& compared : compared_quantities(variant)) {
+      const std::vector<double> errors = known_only(errors_of(compared, estimates, truth), truth);
+      if (!errors.empty()) record.errors.emplace_back(compared.name, error_norms(errors));
+    }
+    records.push_back(std::move(record));
+  }
   return records;
 }
 
@@ -168,15 +175,16 @@ void check_memory(const Sweep& sweep, const std::vector<AnyShape>& shapes) {
   const GridStep h{sweep.schedule.values().back()};
   const int threads = tbb::this_task_arena::max_concurrency();
   for (std::size_t i = 0; i < shapes.size(); ++i)
-    for (const RadiusRule& rule : sweep.radii)
-      for (const Evaluation evaluation : sweep.evaluations)
-        std::visit(
-            [&]<int d>(const std::shared_ptr<const Shape<d>>& shape) {
-              require_memory(predicted_memory<d>(shape->bounds(), h, to_digital(rule.at(h), h), d == 3,
-                                                 evaluation, threads),
-                             fmt::format("{} at h = {:.6g}", sweep.shapes[i].canonical(), h.value));
-            },
-            shapes[i]);
+    for (const Method& method : sweep.methods())
+      std::visit(
+          [&]<int d>(const std::shared_ptr<const Shape<d>>& shape) {
+            const DigitalLength radius =
+                method.radius ? to_digital(method.radius->at(h), h) : DigitalLength{1};
+            require_memory(predicted_memory<d>(shape->bounds(), h, radius, d == 3,
+                                               method.evaluation.value_or(Evaluation::masks), threads),
+                           fmt::format("{} at h = {:.6g}", sweep.shapes[i].canonical(), h.value));
+          },
+          shapes[i]);
 }
 
 }  // namespace
@@ -203,7 +211,7 @@ std::vector<Record> run_study(const Study& study, const nlohmann::json& source, 
                                                             {"version", build_info().version},
                                                             {"commit", build_info().commit}});
     for (const nlohmann::ordered_json& line : journal->records()) {
-      const bool expected = finished < jobs.size() && line.size() == records_of(*jobs[finished].sweep);
+      const bool expected = finished < jobs.size() && line.size() == jobs[finished].sweep->methods().size();
       ++finished;
       if (!expected)
         throw InputError(

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -27,6 +28,11 @@ auto placed(JsonReader& reader, Function function) {
   } catch (const InputError& error) {
     reader.fail(error.what());
   }
+}
+
+bool takes_radius(const std::string& estimator, int dimension) {
+  const EstimatorEntry& entry = find_estimator(estimator);
+  return dimension == 2 ? entry.variant<2>().takes_radius : entry.variant<3>().takes_radius;
 }
 
 Sweep read_sweep(JsonReader& reader) {
@@ -58,13 +64,19 @@ Sweep read_sweep(JsonReader& reader) {
     if (evaluations.empty()) reader.fail("evaluations", "a list with at least one entry");
   }
   std::vector<RadiusRule> radii;
-  for (JsonReader& radius : reader.objects("radii")) {
-    radii.push_back({radius.number("k"), radius.number("alpha", 1.0 / 3.0)});
-    if (!(radii.back().k > 0)) radius.fail("k", "positive");
-    if (!(radii.back().alpha >= 0 && radii.back().alpha < 1)) radius.fail("alpha", "in [0, 1)");
-    radius.finish();
-  }
-  if (radii.empty()) reader.fail("radii", "a list with at least one entry");
+  const bool any_radius = std::any_of(estimators.begin(), estimators.end(),
+                                      [&](const std::string& name) { return takes_radius(name, dimension); });
+  if (!any_radius)
+    for (const char* key : {"radii", "evaluations", "centre"})
+      if (reader.has(key)) reader.fail(key, "left out: no estimator here takes a radius");
+  if (any_radius)
+    for (JsonReader& radius : reader.objects("radii")) {
+      radii.push_back({radius.number("k"), radius.number("alpha", 1.0 / 3.0)});
+      if (!(radii.back().k > 0)) radius.fail("k", "positive");
+      if (!(radii.back().alpha >= 0 && radii.back().alpha < 1)) radius.fail("alpha", "in [0, 1)");
+      radius.finish();
+    }
+  if (any_radius && radii.empty()) reader.fail("radii", "a list with at least one entry");
   std::vector<double> noise{0};
   if (reader.has("noise")) noise = reader.numbers("noise");
   for (const double beta : noise)
@@ -90,6 +102,19 @@ Sweep read_sweep(JsonReader& reader) {
 
 }  // namespace
 
+std::vector<Method> Sweep::methods() const {
+  std::vector<Method> result;
+  for (std::size_t i = 0; i < std::max<std::size_t>(1, radii.size()); ++i)
+    for (const std::string& name : estimators) {
+      if (takes_radius(name, dimension())) {
+        for (const Evaluation evaluation : evaluations) result.push_back({name, radii[i], evaluation});
+      } else if (i == 0) {
+        result.push_back({name, std::nullopt, std::nullopt});
+      }
+    }
+  return result;
+}
+
 int Sweep::dimension() const {
   return find_shape(shapes.front().name).dimension();
 }
@@ -103,6 +128,11 @@ Study Study::read(const nlohmann::json& json, const std::string& source) {
   study.description = reader.text("description", "");
   study.seed = reader.seed("seed", 1);
   study.timing = reader.boolean("timing", false);
+  study.tables = {study.timing ? "cost" : "convergence"};
+  if (reader.has("tables")) study.tables = reader.texts("tables");
+  for (const std::string& table : study.tables)
+    if (table != "convergence" && table != "cost" && table != "work-precision" && table != "equal-error")
+      reader.fail("tables", "a list of convergence, cost, work-precision, equal-error");
   for (JsonReader& sweep : reader.objects("sweeps")) study.sweeps.push_back(read_sweep(sweep));
   if (study.sweeps.empty()) reader.fail("sweeps", "a list with at least one entry");
   reader.finish();

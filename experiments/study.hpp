@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,12 +12,19 @@
 
 namespace gridstep {
 
+/// One way to estimate.
+struct Method {
+  std::string estimator;
+  std::optional<RadiusRule> radius;      ///< where the estimator takes one
+  std::optional<Evaluation> evaluation;  ///< likewise
+};
+
 /// Every combination of what it lists, at every h of the schedule, under `shifts` random placements each.
 struct Sweep {
   std::vector<ShapeSpec> shapes;  ///< of one dimension
   std::vector<std::string> estimators;
   std::vector<Evaluation> evaluations;  ///< the first one gives the errors; all are timed, and must agree
-  std::vector<RadiusRule> radii;        ///< R(h) = k h^alpha
+  std::vector<RadiusRule> radii;        ///< R(h) = k h^alpha; none where no estimator takes one
   std::vector<double> noise;            ///< beta of Kanungo noise, 0 for none
   KernelCentre centre = KernelCentre::spels;
   Schedule schedule;
@@ -24,6 +32,9 @@ struct Sweep {
   bool rotate = false;  ///< a random rotation beside each random shift
 
   int dimension() const;
+  /// What is done on each digitization, in order: radii, estimators, evaluations. Estimators that take no
+  /// radius come once, with the first one.
+  std::vector<Method> methods() const;
 };
 
 /// What to compute; with a seed, it decides every number but the timings.
@@ -31,6 +42,7 @@ struct Study {
   std::string name, description;
   std::uint64_t seed = 1;
   bool timing = false;  ///< evaluations on one thread and repeated, for times that can be compared
+  std::vector<std::string> tables;  ///< to print: convergence, cost, work-precision, equal-error
   std::vector<Sweep> sweeps;
 
   /// From JSON as documented in results/README.md. Everything is checked here: names, parameters, R/h >= 1 at

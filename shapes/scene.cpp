@@ -54,28 +54,27 @@ double quantity_at(const BoundaryPoint<d>& point, const std::string& quantity) {
 }
 
 template <int d>
-Truth truth_at_surfels(const Shape<d>& shape, const SceneSettings<d>& settings,
-                       const std::vector<Surfel<d>>& surfels, const std::vector<std::string>& quantities) {
+Truth truth_at(const Shape<d>& shape, const SceneSettings<d>& settings,
+               const std::vector<RealPoint<d>>& points, EuclideanLength within,
+               const std::vector<std::string>& quantities) {
   const GridStep h = settings.h;
   const bool noisy = settings.noise > 0;
-  // An inner and an outer point are h apart, the boundary passes between them; the slack is for their
-  // rounding.
-  const EuclideanLength within{noisy ? 12 * h.value : 0.5 * h.value * (1 + 1e-9)};
+  if (noisy) within.value = 12 * h.value;
   Truth truth;
   truth.quantities = quantities;
-  truth.columns.assign(quantities.size(), std::vector<double>(surfels.size(), 0.0));
-  truth.known.assign(surfels.size(), 0);
+  truth.columns.assign(quantities.size(), std::vector<double>(points.size(), 0.0));
+  truth.known.assign(points.size(), 0);
   struct Tally {
     std::int64_t singular = 0, far = 0;
     double worst_residual = 0;
   };
   tbb::enumerable_thread_specific<Tally> tallies;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, surfels.size(), 64), [&](const auto& range) {
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size(), 64), [&](const auto& range) {
     Tally& tally = tallies.local();
     for (std::size_t i = range.begin(); i != range.end(); ++i) {
       std::optional<BoundaryPoint<d>> point;
       try {
-        point = shape.project(settings.placement.to_shape(centre(surfels[i], h.value), h), within);
+        point = shape.project(settings.placement.to_shape(points[i], h), within);
       } catch (const UncertifiedProjection&) {
         if (!noisy) throw;
         ++tally.far;
@@ -102,9 +101,22 @@ Truth truth_at_surfels(const Shape<d>& shape, const SceneSettings<d>& settings,
   return truth;
 }
 
+template <int d>
+Truth truth_at_surfels(const Shape<d>& shape, const SceneSettings<d>& settings,
+                       const std::vector<Surfel<d>>& surfels, const std::vector<std::string>& quantities) {
+  std::vector<RealPoint<d>> points;
+  points.reserve(surfels.size());
+  for (const Surfel<d>& surfel : surfels) points.push_back(centre(surfel, settings.h.value));
+  // An inner and an outer point are h apart, the boundary passes between them; the slack is for their
+  // rounding.
+  return truth_at<d>(shape, settings, points, {0.5 * settings.h.value * (1 + 1e-9)}, quantities);
+}
+
 #define GRIDSTEP_INSTANTIATE(d)                                                                            \
   template Scene<d> make_scene(const Shape<d>&, const SceneSettings<d>&);                                  \
   template double quantity_at(const BoundaryPoint<d>&, const std::string&);                                \
+  template Truth truth_at(const Shape<d>&, const SceneSettings<d>&, const std::vector<RealPoint<d>>&,      \
+                          EuclideanLength, const std::vector<std::string>&);                               \
   template Truth truth_at_surfels(const Shape<d>&, const SceneSettings<d>&, const std::vector<Surfel<d>>&, \
                                   const std::vector<std::string>&);
 GRIDSTEP_INSTANTIATE(2)

@@ -35,20 +35,28 @@ struct Scene {
 template <int d>
 Scene<d> make_scene(const Shape<d>& shape, const SceneSettings<d>& settings);
 
-/// The exact values at the boundary points closest to the surfels' centres: the answer key, kept apart from
-/// the scene.
+/// The exact values at the boundary points closest to given points of the digital boundary: the answer key,
+/// kept apart from the scene.
 struct Truth {
   std::vector<std::string> quantities;
-  std::vector<std::vector<double>> columns;  ///< columns[q][i] belongs to surfel i; 0 where known[i] is 0
+  std::vector<std::vector<double>> columns;  ///< columns[q][i] belongs to point i; 0 where known[i] is 0
   std::vector<std::uint8_t> known;
-  std::int64_t singular = 0;  ///< surfels whose closest point is a corner, an edge or a singular point
-  std::int64_t far = 0;  ///< with noise alone: surfels with no certified closest point within twelve cells
+  std::int64_t singular = 0;  ///< points whose closest point is a corner, an edge or a singular point
+  std::int64_t far = 0;  ///< with noise alone: points with no certified closest point within twelve cells
   double worst_residual = 0;  ///< relative to the size of the shape
 };
 
-/// Names: kappa; mean, gaussian, k1, k2; normal_x.., dir1_x.., dir2_x..; tangent_x...
-/// @throws UncertifiedProjection where a surfel of a scene without noise has no certified closest point
-/// within h/2: by Gauss digitization there always is one.
+/// Names: kappa; mean, gaussian, k1, k2; normal_x.., dir1_x.., dir2_x..; tangent_x... The tangent goes with
+/// the shape on its left.
+/// @param points in the unit of the shape, in the frame of the digital set
+/// @param within how far the boundary may be from them in a scene without noise
+/// @throws UncertifiedProjection where a point of a scene without noise has no certified closest point there.
+template <int d>
+Truth truth_at(const Shape<d>& shape, const SceneSettings<d>& settings,
+               const std::vector<RealPoint<d>>& points, EuclideanLength within,
+               const std::vector<std::string>& quantities);
+
+/// The same at the surfels' centres. The boundary is within h/2, by Gauss digitization.
 template <int d>
 Truth truth_at_surfels(const Shape<d>& shape, const SceneSettings<d>& settings,
                        const std::vector<Surfel<d>>& surfels, const std::vector<std::string>& quantities);

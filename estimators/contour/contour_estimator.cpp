@@ -1,5 +1,9 @@
 #include "estimators/contour/contour_estimator.hpp"
 
+#include <cmath>
+
+#include "shapes/base/contracts.hpp"
+
 namespace gridstep {
 
 namespace {
@@ -9,9 +13,13 @@ class ContourEstimator final : public Estimator<2> {
   ContourEstimator(std::vector<std::string> quantities, ContourFunction function)
       : quantities_(std::move(quantities)), function_(function) {}
 
-  void init(GridStep h, EuclideanLength) override { h_ = h; }
+  void init(GridStep h, EuclideanLength) override {
+    expects(h.value > 0 && std::isfinite(h.value), "a positive grid step");
+    h_ = h;
+  }
 
   Estimates eval(std::span<const Surfel<2>> linels) override {
+    expects(h_.value > 0, "init() before eval()");
     Estimates result{quantities_, std::vector<std::vector<double>>(quantities_.size())};
     for (const DigitalContour& contour : closed_contours(linels)) {
       std::vector<std::vector<double>> columns(quantities_.size(),

@@ -173,6 +173,8 @@ std::string_view to_string(Verdict verdict) {
       return "faster";
     case Verdict::slower:
       return "slower";
+    case Verdict::converging:
+      return "converging";
     case Verdict::not_converging:
       return "not converging";
     case Verdict::undecided:
@@ -181,10 +183,16 @@ std::string_view to_string(Verdict verdict) {
   return "undecided";
 }
 
-Verdict judge(const SlopeFit& fit, double expected) {
-  expects(expected > no_convergence && std::isfinite(expected), "an expected exponent above no_convergence");
+Verdict judge(const SlopeFit& fit) {
   if (fit.levels < fewest_levels || fit.zero_errors > 0) return Verdict::undecided;
   if (fit.interval.upper <= no_convergence) return Verdict::not_converging;
+  return fit.interval.lower > no_convergence ? Verdict::converging : Verdict::undecided;
+}
+
+Verdict judge(const SlopeFit& fit, double expected) {
+  expects(expected > no_convergence && std::isfinite(expected), "an expected exponent above no_convergence");
+  const Verdict at_all = judge(fit);
+  if (fit.levels < fewest_levels || fit.zero_errors > 0 || at_all == Verdict::not_converging) return at_all;
   if (fit.interval.lower > expected + slope_resolution) return Verdict::faster;
   if (fit.interval.upper < expected - slope_resolution) return Verdict::slower;
   const bool narrow = fit.interval.lower > 0 && fit.interval.width() <= expected;

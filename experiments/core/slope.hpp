@@ -76,9 +76,9 @@ inline constexpr std::size_t fewest_levels = 5;
 /// level at least.
 SlopeFit fit_slope(std::span<const Level> levels, std::uint64_t seed);
 
-enum class Verdict { consistent, faster, slower, not_converging, undecided };
+enum class Verdict { consistent, faster, slower, converging, not_converging, undecided };
 
-/// "consistent", "faster", "slower", "not converging" or "undecided".
+/// "consistent", "faster", "slower", "converging", "not converging" or "undecided".
 std::string_view to_string(Verdict verdict);
 
 /// An interval that stays at or below this exponent shows no convergence: 12 % less error per decade of h at
@@ -100,6 +100,10 @@ inline constexpr double slope_resolution = 0.01;
 ///   undecided       interval around expected but reaching 0, or wider than expected: too wide to tell
 /// @throws ContractViolation unless expected > no_convergence.
 Verdict judge(const SlopeFit& fit, double expected);
+
+/// The same where no exponent is claimed: `undecided` and `not converging` as above; `converging` where the
+/// interval is above no_convergence; else `undecided`.
+Verdict judge(const SlopeFit& fit);
 
 /// A theorem's O(h^p) is an upper bound on the error: a faster decay confirms it too.
 constexpr bool confirms(Verdict verdict) {

@@ -13,6 +13,7 @@
 #include "experiments/core/provenance.hpp"
 #include "experiments/program/commands.hpp"
 #include "experiments/runner.hpp"
+#include "experiments/work_precision.hpp"
 #include "shapes/base/contracts.hpp"
 
 namespace gridstep {
@@ -70,20 +71,21 @@ void run(const Options& options) {
   for (const Record& record : records) lines += to_json(record).dump() + "\n";
   const auto convergence = convergence_of(records, study.seed);
   const auto costs = costs_of(records);
+  const auto work_precision = work_precision_of(convergence, costs);
   ordered_json summary = head;
   summary["convergence"] = to_json(convergence);
   summary["cost"] = to_json(costs);
+  summary["work_precision"] = to_json(work_precision);
   write_whole(folder / "records.jsonl", lines);
   write_whole(folder / "summary.json", summary.dump(1) + "\n");
 
-  const Table slopes = convergence_table(convergence), cost = cost_table(costs);
-  if (options.csv) {
-    write_whole(folder / "convergence.csv", to_csv(slopes));
-    write_whole(folder / "cost.csv", to_csv(cost));
-  }
-  if (options.latex) {
-    write_whole(folder / "convergence.tex", to_latex(slopes));
-    write_whole(folder / "cost.tex", to_latex(cost));
+  const std::pair<std::string, Table> tables[] = {{"convergence", convergence_table(convergence)},
+                                                  {"cost", cost_table(costs)},
+                                                  {"work-precision", work_precision_table(work_precision)},
+                                                  {"equal-error", equal_error_table(work_precision)}};
+  for (const auto& [name, table] : tables) {
+    if (options.csv) write_whole(folder / (name + ".csv"), to_csv(table));
+    if (options.latex) write_whole(folder / (name + ".tex"), to_latex(table));
   }
   fs::remove(journal, ignored);
 
@@ -95,10 +97,9 @@ void run(const Options& options) {
     far += record.far;
     residual = std::max(residual, record.worst_residual);
   }
-  if (study.timing)
-    fmt::print("{}\n", to_text(cost));
-  else
-    fmt::print("{}\n", to_text(slopes));
+  for (const std::string& wanted : study.tables)
+    for (const auto& [name, table] : tables)
+      if (name == wanted) fmt::print("{}\n", to_text(table));
   fmt::print("{}: {} records, {} estimates; truth residual <= {:.2g} of the size", study.name, records.size(),
              surfels, residual);
   if (singular + far > 0)

@@ -1,0 +1,48 @@
+#include "estimators/integral_invariant/disk_count.hpp"
+
+#include <gtest/gtest.h>
+
+#include "estimators/integral_invariant/kernel.hpp"
+#include "estimators/testing_sets.hpp"
+
+namespace gridstep {
+namespace {
+
+const double kRadii[] = {1, 1.2, 1.5, 2, 5, 0.3 / 0.1, 7.7, 25, 63.9, 100};
+
+TEST(DiskRows, HoldThePointsOfTheBallKernel) {
+  for (const double r : kRadii) {
+    const auto kernel = ball_kernel<2>({r});
+    const DiskRows disk({r});
+    std::int64_t points = 0;
+    for (int y = -disk.reach(); y <= disk.reach(); ++y) points += 2 * disk.half_width(y) + 1;
+    EXPECT_EQ(points, std::int64_t(kernel.size())) << r;
+    for (const LatticePoint<2>& z : kernel.offsets) {
+      ASSERT_LE(std::abs(z[1]), disk.reach()) << r;
+      ASSERT_LE(std::abs(z[0]), disk.half_width(z[1])) << r;
+    }
+  }
+  EXPECT_THROW(DiskRows({0.99}), InputError);
+  EXPECT_THROW(DiskRows({std::nan("")}), InputError);
+  EXPECT_THROW(DiskRows({1e9}), InputError);
+}
+
+TEST(CountInDisk, IsTheSumOverTheKernel) {
+  RandomStream random({5});
+  for (const double density : {0.1, 0.5, 0.97, 1.0}) {
+    const auto set = random_set<2>({LatticePoint<2>{-70, -41}, LatticePoint<2>{150, 77}}, density, 4);
+    for (const double r : kRadii) {
+      const auto kernel = ball_kernel<2>({r});
+      const DiskRows disk({r});
+      for (int i = 0; i < 8; ++i) {
+        const LatticePoint<2> z{int(random.below(300)) - 110, int(random.below(200)) - 90};
+        std::int64_t expected = 0;
+        for (const LatticePoint<2>& offset : kernel.offsets) expected += set.contains(z + offset);
+        ASSERT_EQ(count_in_disk(set, z, disk), expected) << r << " at " << z.transpose();
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace gridstep
