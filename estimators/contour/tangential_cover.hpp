@@ -40,7 +40,8 @@ class TangentialCover {
   /// empty, and go once around.
   CyclicRange most_centred_for(std::ptrdiff_t k) const;
 
-  /// The segments that contain both ends of linel i, for every i. Cost O(linels + segments).
+  /// The segments that contain both ends of linel i, for every i: -size() <= begin < end <= size(). Cost
+  /// O(linels + segments).
   std::vector<CyclicRange> segments_of_linels() const;
 
  private:

@@ -4,6 +4,7 @@
 
 #include <numeric>
 
+#include "estimators/catalogue.hpp"
 #include "estimators/contour/digital_contour.hpp"
 #include "estimators/testing_sets.hpp"
 #include "shapes/digital/boundary.hpp"
@@ -14,10 +15,10 @@ inline std::vector<DigitalContour> contours_of(const DigitalSet<2>& set) {
   return closed_contours(connected_boundary(set).surfels);
 }
 
-/// The largest contour of a set that changes its kind with the seed: scattered cells, a disk, a convex
-/// polygon (long segments of many slopes), or a thin bar. Contours have at most 16 size() linels, scattered
-/// ones apart.
-inline DigitalContour random_contour(std::uint64_t seed, int size) {
+/// The linels of the largest contour of a set that changes its kind with the seed: scattered cells, a disk, a
+/// convex polygon (long segments of many slopes), or a thin bar. Contours have at most 16 size() linels,
+/// scattered ones apart.
+inline std::vector<Surfel<2>> random_linels(std::uint64_t seed, int size) {
   RandomStream random({seed, 7});
   const LatticeBox<2> box{LatticePoint<2>{-size, -size}, LatticePoint<2>{size, size}};
   const auto between = [&](double lo, double hi) { return lo + (hi - lo) * random.uniform(); };
@@ -44,8 +45,15 @@ inline DigitalContour random_contour(std::uint64_t seed, int size) {
         return true;
       });
     }
-    if (set.size() > 0) return contours_of(set).front();
+    if (set.size() == 0) continue;
+    DigitalSurface<2> surface = connected_boundary(set);
+    surface.surfels.resize(surface.component_begin[1]);
+    return surface.surfels;
   }
+}
+
+inline DigitalContour random_contour(std::uint64_t seed, int size) {
+  return closed_contours(random_linels(seed, size)).front();
 }
 
 /// The contour with another first pointel.
@@ -55,11 +63,18 @@ inline DigitalContour started_at(const DigitalContour& contour, std::ptrdiff_t s
   return result;
 }
 
-/// The contour turned by 90 degrees.
-inline DigitalContour turned(const DigitalContour& contour) {
-  DigitalContour result;
-  for (const LatticePoint<2>& p : contour.pointels) result.pointels.push_back({-p[1], p[0]});
-  return result;
+/// The linel turned by 90 degrees about the digital point 0.
+inline Surfel<2> turned(const Surfel<2>& linel) {
+  const std::int8_t sign = linel.axis == 0 ? linel.sign : std::int8_t(-linel.sign);
+  return {{-linel.inner[1], linel.inner[0]}, std::int8_t(1 - linel.axis), sign};
+}
+
+/// What a 2D estimator of contours, found by its name, makes of linels.
+inline Estimates estimate(const std::string& name, const std::vector<Surfel<2>>& linels, double h) {
+  const DigitalSet<2> unused({LatticePoint<2>{0, 0}, LatticePoint<2>{0, 0}});
+  auto estimator = find_estimator(name).variant<2>().make(unused, {});
+  estimator->init(GridStep{h}, EuclideanLength{1});
+  return estimator->eval(linels);
 }
 
 /// All primitive (a, b) with |a| + |b| <= bound, by increasing |a| + |b|.
