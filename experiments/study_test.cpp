@@ -105,11 +105,13 @@ TEST(Study, NamesTheKeyAndTheValueThatAreWrong) {
       {R"({"seed": 1.5})", "seed = 1.5 must be an integer from 0 to 2^64 - 1"},
       {R"({"seed": "1"})", "seed = \"1\" must be an integer from 0 to 2^64 - 1"},
       {R"({"timing": 1})", "timing = 1 must be true or false"},
+      {R"({"tables": ["cots"]})",
+       "tables = [\"cots\"] must be a list of convergence, cost, work-precision, equal-error"},
       {R"({"sweeps": null})", "key 'sweeps' is missing"},
       {R"({"sweeps": []})", "sweeps = [] must be a list with at least one entry"},
       {R"({"sweeps": {}})", "sweeps = {} must be a list of objects"},
       {R"({"sweeps": ["disk"]})", "sweeps[0]: \"disk\" must be an object"},
-      {R"({"sweep": []})", "unknown key 'sweep' (known: description, name, seed, sweeps, timing)"}};
+      {R"({"sweep": []})", "unknown key 'sweep' (known: description, name, seed, sweeps, tables, timing)"}};
   for (const auto& [patch, message] : cases)
     EXPECT_EQ(failure_with(patch), std::string("mine.json: ") + message) << patch;
   EXPECT_EQ(failure_of([] { Study::read(json::array(), "mine.json"); }), "mine.json: [] must be an object");
@@ -155,6 +157,48 @@ TEST(Study, NamesThePlaceInASweepToo) {
        "shifts)"}};
   for (const auto& [patch, message] : cases)
     EXPECT_EQ(failure_with_sweep(patch), std::string("mine.json: sweeps[0]: ") + message) << patch;
+}
+
+json without_radius() {
+  return json::parse(R"({"name": "contours", "sweeps": [{"shapes": ["disk"], "estimators": ["bc", "mst"],
+    "schedule": {"from": 1, "to": 0.5, "steps": 3}}]})");
+}
+
+TEST(Study, NeedsNoRadiusWhereNoEstimatorTakesOne) {
+  const Study study = Study::read(without_radius(), "mine.json");
+  EXPECT_TRUE(study.sweeps[0].radii.empty());
+  const auto methods = study.sweeps[0].methods();
+  ASSERT_EQ(methods.size(), 2u);
+  EXPECT_EQ(methods[1].estimator, "mst");
+  EXPECT_FALSE(methods[1].radius.has_value() || methods[1].evaluation.has_value());
+  for (const char* key : {"radii", "evaluations", "centre"}) {
+    json given = without_radius();
+    given["sweeps"][0][key] = valid()["sweeps"][0][key];
+    EXPECT_NE(failure_of([&] {
+                Study::read(given, "mine.json");
+              }).find("must be left out: no estimator here takes a radius"),
+              std::string::npos)
+        << key;
+  }
+}
+
+TEST(Study, TakesMethodsOncePerRadiusAndEvaluationOrOnce) {
+  json mixed = valid();
+  mixed["sweeps"][0]["estimators"] = {"bc", "ii", "mst"};
+  const Study study = Study::read(mixed, "mine.json");
+  std::string order;
+  for (const Method& method : study.sweeps[0].methods())
+    order += method.estimator + (method.radius ? std::to_string(method.radius->k).substr(0, 3) : "") +
+             (method.evaluation ? to_string(*method.evaluation) : "") + " ";
+  EXPECT_EQ(order, "bc ii2.0full ii2.0masks mst ii1.5full ii1.5masks ");
+}
+
+TEST(Study, PrintsTheTablesThatItAsksFor) {
+  EXPECT_EQ(Study::read(minimal(), "mine.json").tables, std::vector<std::string>{"convergence"});
+  EXPECT_EQ(Study::read(valid(), "mine.json").tables, std::vector<std::string>{"cost"}) << "of timings";
+  json both = minimal();
+  both["tables"] = {"equal-error", "convergence"};
+  EXPECT_EQ(Study::read(both, "mine.json").tables, (std::vector<std::string>{"equal-error", "convergence"}));
 }
 
 TEST(Study, ListsTheNamesThatItKnows) {

@@ -90,10 +90,13 @@ TEST_P(ContourContract, DoesNotDependOnWhereTheContourStarts) {
 TEST_P(ContourContract, ContoursDoNotMix) {
   // Two sets far apart give what each of them gives alone.
   const auto a = egg(), b = egg({200, -40}, 17.4);
+  DigitalSet<2> all({a.domain().lo.cwiseMin(b.domain().lo), a.domain().hi.cwiseMax(b.domain().hi)});
+  for (const auto* set : {&a, &b})
+    for_each_point_of(*set, [&](const LatticePoint<2>& z) { all.set(z, true); });
   Contour both = connected_boundary(a).surfels;
   const std::size_t n = both.size();
   for (const Surfel<2>& linel : connected_boundary(b).surfels) both.push_back(linel);
-  const Estimates together = eval(a, both), first = eval(a), second = eval(b);
+  const Estimates together = eval(all, both), first = eval(a), second = eval(b);
   for (std::size_t c = 0; c < first.columns.size(); ++c) {
     EXPECT_TRUE(std::equal(first.columns[c].begin(), first.columns[c].end(), together.columns[c].begin()));
     EXPECT_TRUE(std::equal(second.columns[c].begin(), second.columns[c].end(),
@@ -135,6 +138,7 @@ TEST_P(ContourContract, CommutesWithTranslationsAndQuarterTurns) {
 }
 
 TEST_P(ContourContract, ScalesLikeACurvature) {
+  if (GetParam() == "bc") GTEST_SKIP() << "its mask size is a function of h, as published";
   const auto set = egg();
   const Estimates unit = eval(set, 1), scaled = eval(set, 0.125);
   for (std::size_t c = 0; c < unit.columns.size(); ++c)
