@@ -283,13 +283,7 @@ void run_image(Options options) {
     throw InputError(fmt::format("--threshold = {}: must be LOW,HIGH with LOW <= HIGH",
                                  fmt::join(options.threshold, ",")));
   const std::unique_ptr<OutputFile> csv = open_csv(options);
-  const DigitalSet<2> set = [&] {
-    try {
-      return threshold(image, options.threshold[0], options.threshold[1]);
-    } catch (const InputError& error) {
-      throw InputError(fmt::format("{}: {}", options.image, error.what()));
-    }
-  }();
+  const DigitalSet<2> set = threshold(image, options.threshold[0], options.threshold[1]);
   const DigitalSurface<2> contours = connected_boundary(set);
   evaluate<2>(estimations, set, contours.surfels, h, R.value_or(EuclideanLength{0}), options);
   if (csv) write_csv<2>(*csv, estimations, contours.surfels, h, contours.component_begin, {});
