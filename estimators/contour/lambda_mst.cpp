@@ -24,8 +24,8 @@ double angle_in_quadrant(const DigitalLine& line) {
 ///   theta = sum lambda(e_k) theta_k / sum lambda(e_k),  e_k = (i + 1/2 - first_k) / (last_k - first_k),
 /// with lambda(e) = 64 e^3 (1 - e)^3. Smooth along the contour where mst jumps.
 ///   Units  a unit vector, walking with the set on the left. At linel centres.
-///   Bound  proven for convex shapes with C^3 boundary is a mean error of O(h^1/3), and no rate of the sup
-///   error. Cost   O(total length of the maximal segments), which is 3 to 4 times the number of linels.
+///   Bound  of the mean error, O(h^1/3) for convex shapes with C^3 boundary; of the sup error none is proven.
+///   Cost   O(total length of the maximal segments), 3 to 4 times the linels of smooth shapes.
 /// [Lachaud, Vialard & de Vieilleville, IVC 2007]
 void tangent(const DigitalContour& contour, GridStep, std::vector<std::vector<double>>& columns) {
   const TangentialCover cover(contour);

@@ -17,7 +17,8 @@ inline double squared_chord(const DigitalContour& contour, const MaximalSegment&
 }
 
 /// kappa[p] = turn / (h r(segment)) at every pointel p, with the maximal segment that is the most centred one
-/// for the linel that ends at p, and its radius r in cells. Cost O(pointels).
+/// for the linel that ends at p, and its radius r in cells. Among the pointel's two linels this is the choice
+/// of the reference library, whose values these are to be. Cost O(pointels).
 template <class Radius>
 void curvature_from_maximal_segments(const DigitalContour& contour, GridStep h, Radius radius,
                                      std::vector<double>& kappa) {

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <map>
+
 #include "estimators/contour/testing_contours.hpp"
 #include "shapes/analytic/catalogue.hpp"
 #include "shapes/digital/gauss_digitize.hpp"
@@ -35,7 +39,10 @@ TEST_P(MdssCurvature, HasTheSignOfTheCurvature) {
   const DigitalSurface<2> surface = connected_boundary(ring);
   ASSERT_EQ(surface.components(), 2u);
   const auto k = kappa(surface.surfels);
-  for (std::size_t i = 0; i < k.size(); ++i) EXPECT_EQ(k[i] > 0, i < surface.component_begin[1]);
+  for (std::size_t i = 0; i < k.size(); ++i) {
+    const bool outside = i < surface.component_begin[1];
+    EXPECT_GT(outside ? k[i] : -k[i], 0);
+  }
 }
 
 // The sides of an L at its inner corner turn left at one end, right at the other.
@@ -119,6 +126,25 @@ TEST(Mdss, FiguresOfTheReferenceLibrary) {
   EXPECT_EQ(std::count_if(kappa.begin(), kappa.end(), [](double k) { return k > 0; }), 2910);
   EXPECT_EQ(std::count_if(kappa.begin(), kappa.end(), [](double k) { return k < 0; }), 340);
   EXPECT_EQ(std::count(kappa.begin(), kappa.end(), 0.0), 322);
+
+  // On both sides of where another segment becomes the most centred one; Khalimsky coordinates.
+  const std::map<std::pair<int, int>, double> expected{{{278, -268}, 0.0552104899931},
+                                                       {{278, -270}, 0.0638467677574},
+                                                       {{516, 260}, 0.314960629921},
+                                                       {{516, 262}, 0.43956043956},
+                                                       {{-112, 358}, 0.0284292821606},
+                                                       {{-112, 356}, 0.0273878808627},
+                                                       {{-276, -48}, 0},
+                                                       {{-276, -50}, 0.0623052959502}};
+  std::size_t met = 0;
+  for (std::size_t i = 0; i < linels.size(); ++i) {
+    const LatticePoint<2> p = pointel<2>(start_pointel(linels[i])).coordinates;
+    const auto found = expected.find({p[0], p[1]});
+    if (found == expected.end()) continue;
+    EXPECT_NEAR(kappa[i], found->second, 1e-11 * std::abs(found->second)) << p.transpose();
+    ++met;
+  }
+  EXPECT_EQ(met, expected.size());
 }
 
 }  // namespace

@@ -9,7 +9,8 @@ namespace {
 
 /// Tangent: the direction (b, a) of the maximal segment that is the most centred one for the linel.
 ///   Units  a unit vector, walking with the set on the left. At linel centres.
-///   Bound  no rate of its sup error is proven. Inside a straight side it is exact.
+///   Bound  no rate of its sup error is proven. It is exact in the middle of long straight sides, save those
+///          along an axis: their maximal segments end with a step across.
 ///   Cost   O(linels).
 /// [Feschet & Tougne, DGCI 1999]
 void tangent(const DigitalContour& contour, GridStep, std::vector<std::vector<double>>& columns) {

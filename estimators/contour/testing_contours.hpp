@@ -2,6 +2,8 @@
 
 // Contours for the tests of this folder.
 
+#include <cmath>
+#include <numbers>
 #include <numeric>
 
 #include "estimators/catalogue.hpp"
@@ -16,8 +18,8 @@ inline std::vector<DigitalContour> contours_of(const DigitalSet<2>& set) {
 }
 
 /// The linels of the largest contour of a set that changes its kind with the seed: scattered cells, a disk, a
-/// convex polygon (long segments of many slopes), or a thin bar. Contours have at most 16 size() linels,
-/// scattered ones apart.
+/// convex polygon (long segments of many slopes), or a thin bar. The convex ones have at most 8 size + 4
+/// linels.
 inline std::vector<Surfel<2>> random_linels(std::uint64_t seed, int size) {
   RandomStream random({seed, 7});
   const LatticeBox<2> box{LatticePoint<2>{-size, -size}, LatticePoint<2>{size, size}};
@@ -34,7 +36,7 @@ inline std::vector<Surfel<2>> random_linels(std::uint64_t seed, int size) {
       const int sides = seed % 4 == 2 ? 3 + int(random.below(5)) : 4;
       std::vector<double> u, v, d;
       for (int i = 0; i < sides; ++i) {
-        const double angle = sides == 4 ? t + i * 1.5707963267948966 : between(0, 6.2831853071795865);
+        const double angle = sides == 4 ? t + i * std::numbers::pi / 2 : between(0, 2 * std::numbers::pi);
         u.push_back(std::cos(angle));
         v.push_back(std::sin(angle));
         d.push_back(seed % 4 == 3 && i % 2 == 0 ? between(0.2, 1.5) : between(0.3, 0.8) * size);
