@@ -13,7 +13,7 @@ StudyEntry describe_compare_2d() {
   "tables": ["convergence", "cost", "work-precision", "equal-error"],
   "sweeps": [{
     "shapes": ["ellipse:a=20,b=7", "flower:radius=20,amplitude=7,petals=6",
-               "accflower:radius=20,amplitude=7,petals=3", "lpball:radius=15,p=4"],
+               "accflower:radius=20,amplitude=7,petals=3", "lpball:radius=15,power=4"],
     "estimators": ["ii", "ii-parameter-free", "mdca", "lambda-mdca", "mdss-length", "mdss-length-width", "bc",
                    "mst", "lambda-mst"],
     "radii": [{"k": 3}],
@@ -36,7 +36,7 @@ StudyEntry describe_compare_2d() {
   "tables": ["convergence", "cost", "work-precision", "equal-error"],
   "sweeps": [{
     "shapes": ["ellipse:a=20,b=7", "flower:radius=20,amplitude=7,petals=6",
-               "accflower:radius=20,amplitude=7,petals=3", "lpball:radius=15,p=4"],
+               "accflower:radius=20,amplitude=7,petals=3", "lpball:radius=15,power=4"],
     "estimators": ["ii", "ii-parameter-free", "mdca", "lambda-mdca", "mdss-length", "mdss-length-width", "bc",
                    "mst", "lambda-mst"],
     "radii": [{"k": 3}],

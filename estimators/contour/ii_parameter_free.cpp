@@ -20,17 +20,17 @@ constexpr double kScale = 0.1;
 
 /// Curvature by integral invariants whose radius follows from the contour.
 ///   R(i) = kScale h L(i)^2, L(i) the mean number of linels of the maximal segments that contain linel i:
-///   maximal segments grow like h^-1/3 on the average, so R like h^1/3. At least one cell, and at most half the
+///   maximal segments grow like h^-1/3 on the average, so R like h^1/3. At least one cell, and at most a quarter of the
 ///   shorter side of the contour's bounding box: on straight parts the segments are as long as these.
 ///   Units   kappa in 1/length, positive where the set is convex. The kernel is centred on the two spels of the
 ///   linel, values averaged, as `ii` does by default.
 ///   Bound   none proven for the local radius; O(h^1/3) with L averaged over the whole contour.
-///   Cost    O(R/h) popcounts of rows a linel.
+///   Cost    O(R/h) rows a linel.
 ///   Source  [Levallois, Coeurjolly, Lachaud, Parameter-free and multigrid convergent digital curvature
 ///   estimators, DGCI 2014].
 class ParameterFree final : public Estimator<2> {
  public:
-  explicit ParameterFree(const DigitalSet<2>& set) : set_(set) {}
+  explicit ParameterFree(const DigitalSet<2>& set) : rows_(set) {}
 
   void init(GridStep h, EuclideanLength) override {
     expects(h.value > 0 && std::isfinite(h.value), "a positive grid step");
@@ -49,8 +49,7 @@ class ParameterFree final : public Estimator<2> {
         for (std::size_t i = range.begin(); i != range.end(); ++i) {
           const Surfel<2>& linel = linels[first + i];
           const DiskRows disk({radii[i]});
-          const double sum =
-              0.5 * double(count_in_disk(set_, linel.inner, disk) + count_in_disk(set_, linel.outer(), disk));
+          const double sum = 0.5 * double(rows_.count(linel.inner, disk) + rows_.count(linel.outer(), disk));
           raw_.columns[0][first + i] = radii[i];
           raw_.columns[1][first + i] = sum;
           result.columns[0][first + i] =
@@ -74,7 +73,7 @@ class ParameterFree final : public Estimator<2> {
       lowest = lowest.cwiseMin(p);
       highest = highest.cwiseMax(p);
     }
-    const double most = std::clamp(0.5 * (highest - lowest).minCoeff(), 1.0, 0x1p14);
+    const double most = std::clamp(0.25 * (highest - lowest).minCoeff(), 1.0, 0x1p14);
     const TangentialCover cover(contour);
     std::vector<double> radii;
     for (const CyclicRange& segments : cover.segments_of_linels()) {
@@ -87,7 +86,7 @@ class ParameterFree final : public Estimator<2> {
     return radii;
   }
 
-  const DigitalSet<2>& set_;
+  RowRuns rows_;
   GridStep h_{};
   Estimates raw_;
   EstimatorWork work_;

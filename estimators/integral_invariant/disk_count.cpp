@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
+#include <iterator>
+
+#include "shapes/digital/boundary.hpp"
 
 namespace gridstep {
 
@@ -20,27 +22,47 @@ DiskRows::DiskRows(DigitalLength radius) {
   }
 }
 
-std::int64_t count_in_disk(const DigitalSet<2>& set, const LatticePoint<2>& centre, const DiskRows& disk) {
-  constexpr int kWidth = Brick<2>::extent(0), kHeight = Brick<2>::extent(1);
-  const LatticePoint<2> corner = LatticePoint<2>::Constant(disk.reach());
-  const LatticePoint<2> lowest = Brick<2>::of(centre - corner), highest = Brick<2>::of(centre + corner);
-  std::int64_t count = 0;
-  for_each_point(LatticeBox<2>{lowest, highest}, [&](const LatticePoint<2>& b) {
-    const std::int32_t state = set.state(b);
-    if (state == DigitalSet<2>::kEmpty) return;
-    const LatticePoint<2> origin = Brick<2>::origin(b) - centre;
-    const int first_row = std::max(0, -disk.reach() - origin[1]);
-    const int last_row = std::min(kHeight - 1, disk.reach() - origin[1]);
-    const Brick<2> bits = state == DigitalSet<2>::kFull ? Brick<2>::full() : set.brick(b);
-    for (int row = first_row; row <= last_row; ++row) {
-      const int w = disk.half_width(origin[1] + row);
-      const int first = std::max(0, -w - origin[0]), last = std::min(kWidth - 1, w - origin[0]);
-      if (first > last) continue;
-      const std::uint64_t mask = (~std::uint64_t{0} >> (kWidth - 1 - (last - first))) << first;
-      count += std::popcount(bits.words[std::size_t(row)] & mask);
-    }
-  });
-  return count;
+RowRuns::RowRuns(const DigitalSet<2>& set) {
+  // A run begins at a linel whose inner point is on its right, and ends at one whose inner point is on its left.
+  std::vector<LatticePoint<2>> firsts, lasts;
+  for (const Surfel<2>& linel : boundary(set))
+    if (linel.axis == 0) (linel.sign < 0 ? firsts : lasts).push_back(linel.inner);
+  if (firsts.empty()) return;
+  std::sort(firsts.begin(), firsts.end(), raster_less<2>);
+  std::sort(lasts.begin(), lasts.end(), raster_less<2>);
+  lowest_row_ = firsts.front()[1];
+  row_begin_.assign(std::size_t(firsts.back()[1] - lowest_row_) + 2, 0);
+  for (std::size_t i = 0; i < firsts.size(); ++i) {
+    const bool same_row = i > 0 && firsts[i][1] == firsts[i - 1][1];
+    const std::int64_t before =
+        same_row ? runs_.back().before + runs_.back().last - runs_.back().first + 1 : 0;
+    runs_.push_back({firsts[i][0], lasts[i][0], before});
+    ++row_begin_[std::size_t(firsts[i][1] - lowest_row_) + 1];
+  }
+  for (std::size_t row = 1; row < row_begin_.size(); ++row) row_begin_[row] += row_begin_[row - 1];
+}
+
+std::int64_t RowRuns::count_up_to(int y, int x) const {
+  const std::int64_t row = std::int64_t{y} - lowest_row_;
+  if (row < 0 || row + 1 >= std::int64_t(row_begin_.size())) return 0;
+  const auto begin = runs_.begin() + std::ptrdiff_t(row_begin_[std::size_t(row)]);
+  const auto end = runs_.begin() + std::ptrdiff_t(row_begin_[std::size_t(row) + 1]);
+  const auto after =
+      std::upper_bound(begin, end, x, [](int value, const Run& run) { return value < run.first; });
+  if (after == begin) return 0;
+  const Run& run = *std::prev(after);
+  return run.before + std::min(x, run.last) - run.first + 1;
+}
+
+std::int64_t RowRuns::count(int y, int first, int last) const {
+  return count_up_to(y, last) - count_up_to(y, first - 1);
+}
+
+std::int64_t RowRuns::count(const LatticePoint<2>& centre, const DiskRows& disk) const {
+  std::int64_t result = 0;
+  for (int y = -disk.reach(); y <= disk.reach(); ++y)
+    result += count(centre[1] + y, centre[0] - disk.half_width(y), centre[0] + disk.half_width(y));
+  return result;
 }
 
 }  // namespace gridstep

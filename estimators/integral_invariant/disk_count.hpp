@@ -22,9 +22,29 @@ class DiskRows {
   std::vector<int> half_width_;
 };
 
-/// Number of points of the set in the disk around a digital point: the sum that `ii` takes with that radius,
-/// for radii that change from point to point. Cost O(R/h + the mixed bricks of the disk), by popcounts of rows;
-/// reads whole bricks where they are full or empty.
-std::int64_t count_in_disk(const DigitalSet<2>& set, const LatticePoint<2>& centre, const DiskRows& disk);
+/// A digital set as runs along x, row by row: numbers of points in parts of rows take one search.
+class RowRuns {
+ public:
+  /// Cost O(N log N) for a boundary of N linels.
+  explicit RowRuns(const DigitalSet<2>& set);
+
+  /// Number of points (x, y) of the set with first <= x <= last. Cost O(log(runs of the row)).
+  std::int64_t count(int y, int first, int last) const;
+
+  /// Number of points in the disk around a digital point: the sum that `ii` takes with that radius, for radii
+  /// that change from point to point. Cost O(R/h log(runs of a row)).
+  std::int64_t count(const LatticePoint<2>& centre, const DiskRows& disk) const;
+
+ private:
+  struct Run {
+    int first, last;
+    std::int64_t before;  // points of the row in earlier runs
+  };
+  std::int64_t count_up_to(int y, int x) const;
+
+  int lowest_row_ = 0;
+  std::vector<std::size_t> row_begin_;  // runs of row lowest_row_ + i: row_begin_[i] to row_begin_[i + 1]
+  std::vector<Run> runs_;
+};
 
 }  // namespace gridstep

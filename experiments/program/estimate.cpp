@@ -272,11 +272,11 @@ void run_image(Options options) {
   std::vector<Estimation<2>> estimations = chosen<2>(options, R);
   const GreyImage image = read_image(options.image);
   if (options.threshold.empty()) {
-    if (image.max_value > 1)
-      throw InputError(
-          fmt::format("{}: a grey image, with values up to {}; --threshold LOW,HIGH says which "
-                      "of them are the foreground",
-                      options.image, image.max_value));
+    const auto [least, most] = std::minmax_element(image.values.begin(), image.values.end());
+    if (*most > 1)
+      throw InputError(fmt::format(
+          "{}: a grey image, with values from {} to {}; --threshold LOW,HIGH says which are the foreground",
+          options.image, *least, *most));
     options.threshold = {1, 1};
   }
   if (options.threshold.size() != 2 || options.threshold[0] > options.threshold[1])
