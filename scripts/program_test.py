@@ -85,7 +85,7 @@ class WrongInput(InFolder):
     def test_commands(self):
         for arguments, named in [
             ((), ["list, study or estimate"]),
-            (("frobnicate",), ["frobnicate"]),
+            (("frobnicate",), ["unknown command 'frobnicate'", "study"]),
             (("--frobnicate",), ["--frobnicate"]),
             (("list", "colours"), ["colours", "shapes"]),
             (("study",), ["study"]),
