@@ -1,0 +1,150 @@
+#include "estimators/contour/circular_arc.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace gridstep {
+
+LinelSides::LinelSides(const DigitalContour& contour) {
+  const std::ptrdiff_t n = contour.size();
+  inner.resize(std::size_t(3 * n));
+  outer.resize(std::size_t(3 * n));
+  for (std::ptrdiff_t i = 0; i < n; ++i) {
+    // Pointel p is the lower left corner of the digital point p; the four around it are p - {0, 1}^2.
+    const LatticePoint<2> p = contour[i], s = contour.step(i);
+    const LatticePoint<2> ahead_left = p + LatticePoint<2>((s[0] - s[1] - 1) / 2, (s[0] + s[1] - 1) / 2);
+    const LatticePoint<2> ahead_right = ahead_left + LatticePoint<2>(s[1], -s[0]);
+    for (const std::ptrdiff_t round : {i, i + n, i + 2 * n}) {
+      inner[std::size_t(round)] = ahead_left;
+      outer[std::size_t(round)] = ahead_right;
+    }
+  }
+}
+
+bool ArcRecognition::Curve::separates(const LatticePoint<2>& point, Side side) const {
+  const Wide x = Wide(point[0]) - pole[0], y = Wide(point[1]) - pole[1];
+  const Wide f = pencil.A * (x * x + y * y) + pencil.B * x + pencil.C * y;
+  return side == Side::inner ? f <= 0 : f >= 0;
+}
+
+void ArcRecognition::start(std::ptrdiff_t linel) {
+  first_ = linel;
+  size_ = 1;
+  curve_.straight = true;
+  lines_.reset_lines(sides_.inner[std::size_t(linel)], PencilSeparation::Tangent::inner_on_left);
+  lines_.add_inner(sides_.inner[std::size_t(linel)]);
+  lines_.add_outer(sides_.outer[std::size_t(linel)]);
+}
+
+bool ArcRecognition::extend(Way way) {
+  const auto next = std::size_t(way == Way::forward ? first_ + size_ : first_ - 1);
+  const LatticePoint<2>&inner = sides_.inner[next], &outer = sides_.outer[next];
+  if (curve_.straight) {
+    if (!extend_line(inner, outer, way)) return false;
+  } else {
+    const Curve before = curve_;
+    const bool extended =
+        (curve_.separates(inner, Side::inner) || turn_to(inner, Side::inner, nullptr, way)) &&
+        (curve_.separates(outer, Side::outer) || turn_to(outer, Side::outer, &inner, way));
+    if (!extended) {
+      curve_ = before;
+      return false;
+    }
+  }
+  if (way == Way::backward) --first_;
+  ++size_;
+  return true;
+}
+
+bool ArcRecognition::extend_line(const LatticePoint<2>& inner, const LatticePoint<2>& outer, Way way) {
+  const PencilSeparation::State before = lines_.state();
+  if (!lines_.add_outer(outer)) {
+    if (turn_to(outer, Side::outer, nullptr, way) &&
+        (curve_.separates(inner, Side::inner) || turn_to(inner, Side::inner, &outer, way)))
+      return true;
+  } else if (lines_.add_inner(inner) || turn_to(inner, Side::inner, &outer, way)) {
+    return true;
+  }
+  lines_.restore(before);
+  curve_.straight = true;
+  return false;
+}
+
+bool ArcRecognition::turn_to(const LatticePoint<2>& z, Side side, const LatticePoint<2>* other, Way way) {
+  // Read backward, the contour is its mirror image.
+  const bool inner_on_left = side == Side::outer;
+  circles_.reset_circles(
+      z, inner_on_left ? PencilSeparation::Tangent::inner_on_left : PencilSeparation::Tangent::outer_on_left);
+  // Any order finds the same circle. Steps of the golden ratio spread the points, so that the tangent has
+  // almost its final place after a few of them.
+  std::ptrdiff_t stride = std::ptrdiff_t(0.6180339887498949 * double(size_));
+  stride = std::max<std::ptrdiff_t>(stride, 1);
+  while (std::gcd(stride, size_) != 1) ++stride;
+  for (std::ptrdiff_t k = 0, j = 0; k < size_; ++k, j += stride, j -= j >= size_ ? size_ : 0) {
+    const auto i = std::size_t(first_ + j);
+    if (!circles_.add_inner(sides_.inner[i]) || !circles_.add_outer(sides_.outer[i])) return false;
+  }
+  if (other && !(side == Side::outer ? circles_.add_inner(*other) : circles_.add_outer(*other))) return false;
+  curve_ = {false, z, circles_.curve()};
+  return true;
+}
+
+double ArcRecognition::curvature() const {
+  if (curve_.straight) return 0;
+  return 2 * double(curve_.pencil.A) / std::hypot(double(curve_.pencil.B), double(curve_.pencil.C));
+}
+
+std::ptrdiff_t canonical_start(const DigitalContour& contour) {
+  const std::ptrdiff_t n = contour.size();
+  const auto turn = [&](std::ptrdiff_t i) {
+    const LatticePoint<2> a = contour.step(i), b = contour.step(i + 1);
+    return a[0] * b[1] - a[1] * b[0];
+  };
+  // Two candidates i < j agree on k turns; where they differ next, the larger one and the k after it are out.
+  std::ptrdiff_t i = 0, j = 1, k = 0;
+  while (j < n && i < n && k < n) {
+    const int difference = turn(i + k) - turn(j + k);
+    if (difference == 0) {
+      ++k;
+      continue;
+    }
+    (difference > 0 ? i : j) += k + 1;
+    if (i == j) ++j;
+    k = 0;
+  }
+  return std::min(i, j);
+}
+
+std::vector<CircularArc> maximal_arcs(const DigitalContour& contour) {
+  const LinelSides sides(contour);
+  const std::ptrdiff_t n = contour.size();
+  ArcRecognition arc(sides);
+  const auto extend = [&](ArcRecognition::Way way) {
+    while (arc.size() < n && arc.extend(way)) {
+    }
+  };
+  std::vector<CircularArc> arcs;
+  // The arc that follows ends first among those that go beyond the last one: it holds the linel after that.
+  for (std::ptrdiff_t beyond = n;;) {
+    arc.start(beyond);
+    extend(ArcRecognition::Way::backward);
+    if (arc.size() == n) {
+      arc.start(canonical_start(contour));
+      extend(ArcRecognition::Way::forward);
+      return {{arc.first(), n, arc.curvature()}};
+    }
+    const std::ptrdiff_t first = arc.first() % n;
+    if (!arcs.empty() && first == arcs.front().begin) break;
+    extend(ArcRecognition::Way::forward);
+    arcs.push_back({first, arc.size(), arc.curvature()});
+    beyond = n + (first + arc.size()) % n;
+  }
+  std::rotate(arcs.begin(),
+              std::min_element(arcs.begin(), arcs.end(),
+                               [](const CircularArc& a, const CircularArc& b) { return a.begin < b.begin; }),
+              arcs.end());
+  return arcs;
+}
+
+}  // namespace gridstep
