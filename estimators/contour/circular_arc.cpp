@@ -22,47 +22,43 @@ LinelSides::LinelSides(const DigitalContour& contour) {
 
 bool ArcRecognition::Curve::separates(const LatticePoint<2>& point, Side side) const {
   const Wide x = Wide(point[0]) - pole[0], y = Wide(point[1]) - pole[1];
-  const Wide f = pencil.A * (x * x + y * y) + pencil.B * x + pencil.C * y;
+  const Wide f = pencil.A * (straight ? 1 : x * x + y * y) + pencil.B * x + pencil.C * y;
   return side == Side::inner ? f <= 0 : f >= 0;
 }
 
 void ArcRecognition::start(std::ptrdiff_t i) {
   first_ = i;
   size_ = 1;
-  curve_.straight = true;
-  lines_.reset_lines(sides_.inner[std::size_t(i)], PencilSeparation::Tangent::inner_on_left);
+  const LatticePoint<2>& origin = sides_.inner[std::size_t(i)];
+  lines_.reset_lines(origin, PencilSeparation::Tangent::inner_on_left);
   lines_.add_inner(sides_.inner[std::size_t(i)]);
   lines_.add_outer(sides_.outer[std::size_t(i)]);
+  curve_ = {true, origin, lines_.curve()};
 }
 
 bool ArcRecognition::extend() {
-  const auto next = std::size_t(first_ + step_ * size_);
+  const auto next = std::size_t(first_ + size_);
   const LatticePoint<2>&inner = sides_.inner[next], &outer = sides_.outer[next];
-  if (curve_.straight) {
-    if (!extend_line(inner, outer)) return false;
-  } else {
-    const Curve before = curve_;
-    const bool extended = (curve_.separates(inner, Side::inner) || turn_to(inner, Side::inner, nullptr)) &&
-                          (curve_.separates(outer, Side::outer) || turn_to(outer, Side::outer, &inner));
-    if (!extended) {
-      curve_ = before;
-      return false;
-    }
+  const Curve before = curve_;
+  const bool extended =
+      curve_.straight ? extend_line(inner, outer)
+                      : (curve_.separates(inner, Side::inner) || turn_to(inner, Side::inner, nullptr)) &&
+                            (curve_.separates(outer, Side::outer) || turn_to(outer, Side::outer, &inner));
+  if (!extended) {
+    curve_ = before;
+    return false;
   }
   ++size_;
   return true;
 }
 
 bool ArcRecognition::extend_line(const LatticePoint<2>& inner, const LatticePoint<2>& outer) {
-  if (!lines_.add_outer(outer)) {
-    if (turn_to(outer, Side::outer, nullptr) &&
-        (curve_.separates(inner, Side::inner) || turn_to(inner, Side::inner, &outer)))
-      return true;
-  } else if (lines_.add_inner(inner) || turn_to(inner, Side::inner, &outer)) {
-    return true;
-  }
-  curve_.straight = true;
-  return false;
+  if (!lines_.add_outer(outer))
+    return turn_to(outer, Side::outer, nullptr) &&
+           (curve_.separates(inner, Side::inner) || turn_to(inner, Side::inner, &outer));
+  if (!lines_.add_inner(inner)) return turn_to(inner, Side::inner, &outer);
+  curve_.pencil = lines_.curve();
+  return true;
 }
 
 bool ArcRecognition::turn_to(const LatticePoint<2>& z, Side side, const LatticePoint<2>* other) {
@@ -74,12 +70,35 @@ bool ArcRecognition::turn_to(const LatticePoint<2>& z, Side side, const LatticeP
   stride = std::max<std::ptrdiff_t>(stride, 1);
   while (std::gcd(stride, size_) != 1) ++stride;
   for (std::ptrdiff_t k = 0, j = 0; k < size_; ++k, j += stride, j -= j >= size_ ? size_ : 0) {
-    const auto i = std::size_t(first_ + step_ * j);
+    const auto i = std::size_t(first_ + j);
     if (!circles_.add_inner(sides_.inner[i]) || !circles_.add_outer(sides_.outer[i])) return false;
   }
   if (other && !(side == Side::outer ? circles_.add_inner(*other) : circles_.add_outer(*other))) return false;
   curve_ = {false, z, circles_.curve()};
   return true;
+}
+
+// A curve that separates this arc's end and both new points can be reached from the arc's own curve through others that
+// separate the arc's end. On the way, the last new point to change its side is on the curve, and the other one is not
+// on the wrong side: so one of the circles through it will do as well.
+std::ptrdiff_t ArcRecognition::first_of_next() {
+  const std::ptrdiff_t next = first_ + size_;
+  const LatticePoint<2>&inner = sides_.inner[std::size_t(next)], &outer = sides_.outer[std::size_t(next)];
+  std::ptrdiff_t least = next;
+  const auto read = [&](const LatticePoint<2>& pole) {
+    circles_.reset_circles(pole, PencilSeparation::Tangent::inner_on_left);
+    circles_.add_inner(inner);
+    circles_.add_outer(outer);
+    for (std::ptrdiff_t i = next - 1; i > first_; --i) {
+      if (!circles_.add_inner(sides_.inner[std::size_t(i)]) ||
+          !circles_.add_outer(sides_.outer[std::size_t(i)]))
+        return;
+      least = std::min(least, i);
+    }
+  };
+  if (!curve_.separates(inner, Side::inner)) read(inner);
+  if (!curve_.separates(outer, Side::outer)) read(outer);
+  return least;
 }
 
 double ArcRecognition::curvature() const {
@@ -111,25 +130,24 @@ std::ptrdiff_t canonical_start(const DigitalContour& contour) {
 std::vector<CircularArc> maximal_arcs(const DigitalContour& contour) {
   const LinelSides sides(contour);
   const std::ptrdiff_t n = contour.size();
-  std::vector<CircularArc> arcs;
-  ArcRecognition forward(sides, ArcRecognition::Way::forward), backward(sides, ArcRecognition::Way::backward);
-  const auto read = [n](ArcRecognition& arc, std::ptrdiff_t from) {
-    arc.start(from);
+  ArcRecognition arc(sides);
+  const auto read = [&](std::ptrdiff_t first) {
+    arc.start(first);
     while (arc.size() < n && arc.extend()) {
     }
-    return arc.size();
   };
+  read(0);
+  if (arc.size() == n) {
+    const std::ptrdiff_t start = canonical_start(contour);
+    read(start);
+    return {{start, n, arc.curvature()}};
+  }
   // The arc that follows ends first among those that go beyond the last one: it holds the linel after that.
-  for (std::ptrdiff_t beyond = 0;;) {
-    const std::ptrdiff_t begin = beyond + 1 - read(backward, beyond % n + n);
-    if (beyond - begin + 1 == n) {
-      const std::ptrdiff_t start = canonical_start(contour);
-      return {{start, read(forward, start), forward.curvature()}};
-    }
-    const std::ptrdiff_t first = (begin + n) % n;
-    if (!arcs.empty() && first == arcs.front().begin) break;
-    arcs.push_back({first, read(forward, first), forward.curvature()});
-    beyond = begin + arcs.back().size;
+  std::vector<CircularArc> arcs;
+  for (std::ptrdiff_t first = arc.first_of_next() % n; arcs.empty() || first != arcs.front().begin;
+       first = arc.first_of_next() % n) {
+    read(first);
+    arcs.push_back({first, arc.size(), arc.curvature()});
   }
   std::rotate(arcs.begin(),
               std::min_element(arcs.begin(), arcs.end(),

@@ -30,27 +30,28 @@ struct LinelSides {
 ///           versions of the digital circular arc recognition problem, DGCI 2009.
 class ArcRecognition {
  public:
-  enum class Way { forward, backward };
-
   /// For arcs of this contour, which must outlive the object.
-  ArcRecognition(const LinelSides& sides, Way way) : sides_(sides), step_(way == Way::forward ? 1 : -1) {}
+  explicit ArcRecognition(const LinelSides& sides) : sides_(sides) {}
 
-  /// Begins an arc with linel i of 0 .. 2n-1, the last one that is read being in this range too.
+  /// Begins an arc with linel i; every linel that is read is to be in 0 .. 2n-1.
   void start(std::ptrdiff_t i);
   /// Adds the next linel. If there is no such arc, false: the arc and its curve are as before, and extend() is
   /// not to be called until the next start().
   bool extend();
 
   std::ptrdiff_t size() const { return size_; }
-  /// Of the curve kept, in units of 1/(grid step): positive where the set is convex, 0 for a line. For arcs read
-  /// forward.
+  /// Of the curve kept, in units of 1/(grid step): positive where the set is convex, 0 for a line.
   double curvature() const;
+
+  /// Where extend() has failed: the first linel of the longest arc that ends with the linel after this arc. It is
+  /// after the first linel of this arc. Cost linear in the size of the arc, once or twice.
+  std::ptrdiff_t first_of_next();
 
  private:
   enum class Side { inner, outer };
   struct Curve {
     bool straight = true;
-    LatticePoint<2> pole;
+    LatticePoint<2> pole;  ///< or any origin
     Pencil pencil;
 
     bool separates(const LatticePoint<2>& point, Side side) const;
@@ -61,7 +62,7 @@ class ArcRecognition {
   bool turn_to(const LatticePoint<2>& z, Side side, const LatticePoint<2>* other);
 
   const LinelSides& sides_;
-  std::ptrdiff_t step_, first_ = 0, size_ = 0;
+  std::ptrdiff_t first_ = 0, size_ = 0;
   PencilSeparation lines_, circles_;
   Curve curve_;
 };

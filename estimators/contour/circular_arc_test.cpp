@@ -129,7 +129,7 @@ TEST(ArcRecognition, CirclesSeparateTheLinelsOfTheirArc) {
   for (std::uint64_t seed = 1; seed < 40; seed += 4) {
     const DigitalContour contour = random_contour(seed, 30);
     const LinelSides sides(contour);
-    ArcRecognition arc(sides, ArcRecognition::Way::forward);
+    ArcRecognition arc(sides);
     arc.start(0);
     while (arc.size() < contour.size() && arc.extend()) {
     }
