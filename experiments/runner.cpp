@@ -66,7 +66,7 @@ double timed(bool alone, Function evaluate) {
   if (!alone) return once();
   tbb::task_arena one_thread(1);
   double best = std::numeric_limits<double>::infinity(), total = 0;
-  for (int i = 0; i < 5 && total < 0.3; ++i) {
+  for (int i = 0; i < 5 && total < 0.1; ++i) {
     const double seconds = one_thread.execute(once);
     best = std::min(best, seconds);
     total += seconds;
