@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace gridstep {
 
@@ -64,15 +63,18 @@ bool ArcRecognition::extend_line(const LatticePoint<2>& inner, const LatticePoin
 bool ArcRecognition::turn_to(const LatticePoint<2>& z, Side side, const LatticePoint<2>* other) {
   circles_.reset_circles(z, side == Side::outer ? PencilSeparation::Tangent::outer_on_left
                                                 : PencilSeparation::Tangent::inner_on_left);
-  // Any order finds the same circle. Steps of the golden ratio spread the points, so that the tangent has
-  // almost its final place after a few of them.
-  std::ptrdiff_t stride = std::ptrdiff_t(0.6180339887498949 * double(size_));
-  stride = std::max<std::ptrdiff_t>(stride, 1);
-  while (std::gcd(stride, size_) != 1) ++stride;
-  for (std::ptrdiff_t k = 0, j = 0; k < size_; ++k, j += stride, j -= j >= size_ ? size_ : 0) {
-    const auto i = std::size_t(first_ + j);
-    if (!circles_.add_inner(sides_.inner[i]) || !circles_.add_outer(sides_.outer[i])) return false;
-  }
+  // Any order finds the same circle. After a few points from all over the arc the tangent has almost its final place.
+  const auto add = [&](std::ptrdiff_t i) {
+    return circles_.add_inner(sides_.inner[std::size_t(i)]) &&
+           circles_.add_outer(sides_.outer[std::size_t(i)]);
+  };
+  constexpr std::ptrdiff_t kSamples = 64;
+  constexpr std::ptrdiff_t kScatter = 39;  // prime to the number of samples, near its golden section
+  if (size_ > kSamples)
+    for (std::ptrdiff_t k = 0; k < kSamples; ++k)
+      if (!add(first_ + k * kScatter % kSamples * size_ / kSamples)) return false;
+  for (std::ptrdiff_t i = first_; i < first_ + size_; ++i)
+    if (!add(i)) return false;
   if (other && !(side == Side::outer ? circles_.add_inner(*other) : circles_.add_outer(*other))) return false;
   curve_ = {false, z, circles_.curve()};
   return true;
