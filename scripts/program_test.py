@@ -269,10 +269,11 @@ class Image(InFolder):
         for cell in [(12, 5), (10, 5), (11, 4), (11, 6)]:
             self.assertIn(cell, cells)
 
-    def test_without_a_radius_those_that_need_none(self):
-        table = self.contours(self.image(self.RING), "--threshold", "50,60")
-        self.assertFalse(any(column.startswith("ii.") for column in table[0]))
-        self.assertIn("bc.kappa", table[0])
+    def test_radius_is_five_pixels_unless_given(self):
+        ring = self.image(self.RING)
+        default = self.contours(ring, "--threshold", "50,60", "--h", "0.5")
+        self.assertEqual(default, self.contours(ring, "--threshold", "50,60", "--h", "0.5", "--radius", "2.5"))
+        self.assertNotEqual(default, self.contours(ring, "--threshold", "50,60", "--h", "0.5", "--radius", "2"))
 
     def test_bitmap(self):
         table = self.contours(self.image("P1\n3 3\n0 0 0\n0 1 0\n0 0 0\n", "dot.pbm"), "--estimator", "bc", "--h", "0.5")
@@ -293,7 +294,7 @@ class Image(InFolder):
             ([text, "--threshold", "50,60"], [text]),
             (["none.pgm", "--threshold", "1,2"], ["none.pgm", "not found"]),
             ([empty], [empty]),
-            ([ring, "--threshold", "50,60", "--estimator", "ii"], ["'ii'", "--radius"]),
+            ([ring, "--threshold", "50,60", "--estimator", "bc", "--radius", "2"], ["'bc'", "no radius"]),
             ([ring, "--threshold", "50,60", "--estimator", "ii-covariance", "--radius", "2"], ["ii-covariance", "2D"]),
             ([ring, "--threshold", "50,60", "--radius", "0.5"], ["R/h = 0.5"]),
             ([ring, "--threshold", "50,60", "--h", "-1"], ["--h", "-1"]),
