@@ -65,8 +65,14 @@ class PlacedRegion final : public Region<d> {
     const RealBox<d> box = region_.bounds();
     return image(box, [this](const RealPoint<d>& p) { return placement_.to_world(p, h_); });
   }
-  Side side(const RealBox<d>& box) const override {
-    return region_.side(image(box, [this](const RealPoint<d>& p) { return placement_.to_shape(p, h_); }));
+  /// The function is turned with the region, so that a rotation costs no tightness to first order.
+  AffineBound<d> bound(const RealBox<d>& box) const override {
+    AffineBound<d> bound =
+        region_.bound(image(box, [this](const RealPoint<d>& p) { return placement_.to_shape(p, h_); }));
+    bound.centre = placement_.to_world(bound.centre, h_);
+    if (placement_.rotated()) bound.slope = placement_.direction_to_world(bound.slope);
+    bound.error += bound.rounding(greatest_coordinate(box) + h_.value * placement_.shift.norm());
+    return bound;
   }
   std::uint64_t inside(std::span<const RealPoint<d>> points) const override {
     std::array<RealPoint<d>, 64> moved;
