@@ -42,10 +42,11 @@ struct AffineBound {
     return bound;
   }
 
-  /// Far more than the rounding of L at points whose coordinates are at most `magnitude` in absolute value.
+  /// Far more than the rounding of a comparison of L with its error at points whose coordinates are at most
+  /// `magnitude` in absolute value.
   double rounding(double magnitude) const {
-    return 1e-13 * (std::abs(value) +
-                    slope.template lpNorm<1>() * (magnitude + centre.template lpNorm<Eigen::Infinity>()));
+    const double reach = magnitude + centre.template lpNorm<Eigen::Infinity>();
+    return 1e-13 * (std::abs(value) + error + slope.template lpNorm<1>() * reach);
   }
 
   /// The side of the box, or of a part of it.
