@@ -28,8 +28,8 @@ class AcceleratedFlower final : public PolarCurve {
     const double c = amplitude_ * std::cos(u), s = amplitude_ * std::sin(u);
     return {radius_ + c, -s * first, -c * first * first - s * second};
   }
-  Bounds bounds_around(double t, double reach) const override {
-    return bounds(radius_, amplitude_, rate_, std::min(std::abs(t) + reach, pi));
+  double sharpest_around(double t, double reach, const PolarRadius&) const override {
+    return bounds(radius_, amplitude_, rate_, std::min(std::abs(t) + reach, pi)).sharpest;
   }
 
  private:

@@ -3,6 +3,7 @@
 #include <numeric>
 
 #include "shapes/analytic/shape.hpp"
+#include "shapes/base/affine_model.hpp"
 
 namespace gridstep {
 

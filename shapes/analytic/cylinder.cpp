@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "shapes/analytic/catalogue.hpp"
+#include "shapes/base/affine_model.hpp"
 
 namespace gridstep {
 

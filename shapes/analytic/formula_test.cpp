@@ -7,6 +7,7 @@
 
 #include "shapes/analytic/catalogue.hpp"
 #include "shapes/analytic/implicit_shape.hpp"
+#include "shapes/base/affine_model.hpp"
 #include "shapes/base/contracts.hpp"
 #include "shapes/base/random.hpp"
 

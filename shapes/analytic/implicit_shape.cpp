@@ -8,6 +8,8 @@
 #include <cmath>
 #include <vector>
 
+#include "shapes/base/affine_model.hpp"
+
 namespace gridstep {
 
 template <int d>

@@ -38,11 +38,13 @@ AffineBound<2> PolarCurve::local_bound(const RealBox<2>& box) const {
   if (nearest > bounds_.greatest + slack) return AffineBound<2>::constant(Side::outside);
   if (distance + reach < bounds_.least - slack) return AffineBound<2>::constant(Side::inside);
   if (!(nearest > 0)) return AffineBound<2>::constant(Side::crossing);
-  const double t = std::atan2(middle[1], middle[0]), angular_reach = std::asin(reach / distance);
+  const double t = std::atan2(middle[1], middle[0]);
+  const double angular_reach = std::asin(reach / distance) * (1 + 1e-12);
   const PolarRadius r = radius_at(t);
-  const Bounds around = bounds_around(t, angular_reach * (1 + 1e-12));
+  const double sharpest = sharpest_around(t, angular_reach, r) * (1 + 1e-12);
+  const double steepest = std::min(bounds_.steepest, std::abs(r.first) + sharpest * angular_reach);
   const RealPoint<2> radial = middle / distance, across(-radial[1], radial[0]);
-  const double hessian = 1 / nearest + (around.sharpest + around.steepest) / (nearest * nearest);
+  const double hessian = 1 / nearest + (sharpest + steepest) / (nearest * nearest);
   return {middle, distance - r.rho, radial - (r.first / distance) * across,
           hessian * reach * reach / 2 * (1 + 1e-12) + slack};
 }

@@ -26,8 +26,11 @@ class PolarCurve : public Shape<2> {
   virtual PolarRadius radius_at(double t) const = 0;
   /// rho alone: what inside() compares with.
   virtual double rho(double t) const = 0;
-  /// Bounds that hold at the angles within `reach` of t in [-pi, pi]; tighter ones save work.
-  virtual Bounds bounds_around(double /*t*/, double /*reach*/) const { return bounds_; }
+  /// A bound on |rho''| at the angles within `reach` of t in [-pi, pi], where the radius is `r`; a tight one
+  /// saves work.
+  virtual double sharpest_around(double /*t*/, double /*reach*/, const PolarRadius& /*r*/) const {
+    return bounds_.sharpest;
+  }
 
   RealBox<2> local_bounds() const override;
   AffineBound<2> local_bound(const RealBox<2>& box) const override;

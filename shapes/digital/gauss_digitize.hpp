@@ -9,7 +9,7 @@ namespace gridstep {
 /// What a digitization cost, in calls to the region.
 struct DigitizationWork {
   std::int64_t points = 0;  ///< points whose membership was computed
-  std::int64_t boxes = 0;   ///< boxes whose side was bounded
+  std::int64_t boxes = 0;   ///< boxes over which the region was bounded
 };
 
 /// The digital points that can lie in a region at step h.
