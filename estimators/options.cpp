@@ -7,13 +7,21 @@
 namespace gridstep {
 
 Evaluation parse_evaluation(const std::string& name) {
-  if (name == "full") return Evaluation::full;
-  if (name == "masks") return Evaluation::masks;
-  throw InputError(fmt::format("unknown evaluation '{}'; known: full, masks", name));
+  for (const Evaluation evaluation : {Evaluation::full, Evaluation::masks, Evaluation::bricks})
+    if (name == to_string(evaluation)) return evaluation;
+  throw InputError(fmt::format("unknown evaluation '{}'; known: full, masks, bricks", name));
 }
 
 std::string to_string(Evaluation evaluation) {
-  return evaluation == Evaluation::full ? "full" : "masks";
+  switch (evaluation) {
+    case Evaluation::full:
+      return "full";
+    case Evaluation::masks:
+      return "masks";
+    case Evaluation::bricks:
+      return "bricks";
+  }
+  throw ContractViolation("an evaluation without a name");
 }
 
 KernelCentre parse_kernel_centre(const std::string& name) {

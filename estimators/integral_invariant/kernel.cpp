@@ -6,11 +6,18 @@
 
 namespace gridstep {
 
-template <int d>
-Kernel<d, std::int64_t> ball_kernel(DigitalLength radius, int half_axis) {
+std::int64_t squared_diameter(DigitalLength radius) {
   const double r = radius.value;
   if (!(r >= 1 && std::isfinite(r)))
     throw InputError(fmt::format("kernel radius R/h = {:.6g}: must be at least 1 cell", r));
+  if (r > 1e9) throw InputError(fmt::format("kernel radius R/h = {:.6g}: too large", r));
+  return std::int64_t(std::floor(4 * r * r * (1 + 1e-12)));
+}
+
+template <int d>
+Kernel<d, std::int64_t> ball_kernel(DigitalLength radius, int half_axis) {
+  const double r = radius.value;
+  const std::int64_t limit = squared_diameter(radius);
   // Also keeps the conversion to int below defined.
   if (std::pow(2 * r + 5, d) >= 0x1p31)
     throw InputError(
@@ -18,7 +25,6 @@ Kernel<d, std::int64_t> ball_kernel(DigitalLength radius, int half_axis) {
   const int reach = int(std::ceil(r)) + 1;
 
   // In half cells, so that the centre of a surfel has integer coordinates too.
-  const auto limit = std::int64_t(std::floor(4 * r * r * (1 + 1e-12)));
   Kernel<d, std::int64_t> kernel;
   for_each_point(LatticeBox<d>{LatticePoint<d>::Constant(-reach), LatticePoint<d>::Constant(reach)},
                  [&](const LatticePoint<d>& z) {

@@ -27,9 +27,13 @@ struct WeightedOffsets {
 template <int d, class Weight>
 using Kernel = WeightedOffsets<d, Weight>;
 
+/// floor((2 R/h)^2): the integer that squared distances, in half cells, are compared with. A radius within
+/// 1e-12 (relative) of one that a lattice point attains is taken to attain it, so that R/h = 0.3/0.1 is 3.
+/// @throws InputError where R/h < 1, is not finite, or is above 10^9.
+std::int64_t squared_diameter(DigitalLength radius);
+
 /// The digital ball {z : |z - c| <= R/h}, closed, weight 1; c = 0, or the centre of a surfel orthogonal to
-/// `half_axis`, half a cell up that axis. Squared distances are compared as integers; a radius within 1e-12
-/// (relative) of one that a lattice point attains is taken to attain it, so that R/h = 0.3/0.1 is 3.
+/// `half_axis`, half a cell up that axis. Distances are compared by squared_diameter().
 /// @throws InputError where R/h < 1, is not finite, or the ball's box would hold more than 2^31 cells.
 template <int d>
 Kernel<d, std::int64_t> ball_kernel(DigitalLength radius, int half_axis = -1);

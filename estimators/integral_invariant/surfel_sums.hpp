@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "estimators/estimator.hpp"
+#include "estimators/integral_invariant/bricks/ball_sums.hpp"
 #include "estimators/integral_invariant/convolution.hpp"
 #include "estimators/options.hpp"
 
@@ -15,7 +16,8 @@ namespace gridstep {
 ///
 /// With KernelCentre::spels a surfel has two sums, at its inner and at its outer spel; with
 /// KernelCentre::surfel both are the one sum around its centre, with offsets taken from the lower of its two
-/// spels.
+/// spels. Evaluation::bricks takes so many surfels at a time that their sums at spels fit 32 MiB; a spel that
+/// surfels of two such batches share is evaluated, and counted, twice.
 template <int d, class Sum>
 class SurfelSums {
  public:
@@ -35,11 +37,16 @@ class SurfelSums {
     Kernel<d, std::int64_t> kernel;
     std::optional<DisplacementMasks<d, std::int64_t>> masks;
   };
+  void eval_kernels(std::span<const Surfel<d>> surfels, std::span<Pair> result);
   std::vector<Sum> convolve_at(const Kernels& kernels, std::span<const LatticePoint<d>> points);
+  void eval_bricks(std::span<const Surfel<d>> surfels, std::span<Pair> result);
+  void add_work(const EvaluationWork& work);
 
   const DigitalSet<d>& set_;
   EstimatorOptions options_;
-  std::vector<Kernels> kernels_;  // one, or one for each axis that a surfel can be orthogonal to
+  // One of the two; one entry, or one for each axis that a surfel can be orthogonal to.
+  std::vector<Kernels> kernels_;
+  std::vector<bricks::BallSums<d, Sum>> balls_;
   EstimatorWork work_;
 };
 

@@ -9,9 +9,9 @@
 namespace gridstep {
 
 /// A block of 512 digital points as bits: 8 x 8 x 8 in 3D (one byte a row of x), 64 x 8 in 2D (one word a
-/// row). Bit index x + extent_x (y + extent_y z).
+/// row). Bit index x + extent_x (y + extent_y z). A brick fills a cache line.
 template <int d>
-struct Brick {
+struct alignas(64) Brick {
   static constexpr int kBits = 512;
   /// log2 of the extent in each direction.
   static constexpr std::array<int, d> kShift = [] {

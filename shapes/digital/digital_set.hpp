@@ -41,6 +41,8 @@ class DigitalSet {
   /// kEmpty, kFull, or the number of a stored brick; bricks outside the domain are empty.
   std::int32_t state(const LatticePoint<d>& brick) const;
   Brick<d> brick(const LatticePoint<d>& brick) const;
+  /// The stored brick of a state that is not negative; valid until the set is written to.
+  const Brick<d>& stored_brick(std::int32_t state) const { return bricks_[std::size_t(state)]; }
   void set_brick(const LatticePoint<d>& brick, const Brick<d>& bits);
   std::int32_t page_state(const LatticePoint<d>& page) const;
   void set_page(const LatticePoint<d>& page, std::int32_t state);

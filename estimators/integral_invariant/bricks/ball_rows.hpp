@@ -1,0 +1,73 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <type_traits>
+#include <vector>
+
+#include "shapes/base/units.hpp"
+#include "shapes/digital/brick.hpp"
+
+namespace gridstep::bricks {
+
+/// The lines of a brick along x: 64 lines of 8 points in 3D, 8 lines of 64 points in 2D.
+template <int d>
+struct Lines {
+  static constexpr int kLength = Brick<d>::extent(0);
+  static constexpr int kCount = Brick<d>::kBits / kLength;
+  using Width = std::conditional_t<d == 2, std::uint64_t, std::uint8_t>;
+  /// A number for each line of a brick; 64 bytes, a cache line.
+  struct alignas(64) Widths {
+    std::array<Width, kCount> of;
+  };
+};
+
+/// A digital ball, cut into rows of bricks as it lies over the brick that holds its centre (the source brick):
+///
+///        -reach      -whole     0     whole       reach     brick offset along x
+///           |- - - - -|===============|- - - - - - -|
+///            some ball   inside every    some ball
+///            boundary    ball            boundary
+///
+/// for whatever cell of the source brick the centre is in: its position in the brick is the `alignment` of the
+/// ball. The boundary itself is a half-width for each line of each row of bricks, for each alignment of the
+/// lines; the alignment along x only shifts it.
+template <int d>
+class BallRows {
+ public:
+  struct Row {
+    LatticePoint<d> brick;  ///< offset from the source brick; 0 along x
+    int whole, reach;       ///< -1 <= whole <= reach; whole = -1: even the middle brick may be cut
+    /// Points along x that the ball is sure to reach on both sides, in whole bricks.
+    int base() const { return (whole + 1) * Lines<d>::kLength; }
+  };
+
+  /// The ball of ball_kernel(radius, half_axis).
+  /// @throws InputError where R/h < 1 or not finite, or above 1000 in 3D, 16384 in 2D.
+  BallRows(DigitalLength radius, int half_axis);
+
+  const std::vector<Row>& rows() const { return rows_; }
+  /// Half-widths for a spel's line in its brick, one entry a row: of the line {(x, y, z)} with last point x = W,
+  /// W + kLength - base, so that no entry is negative. W = -1 where the ball misses the line.
+  const typename Lines<d>::Widths* widths(int line) const {
+    return widths_.data() + std::size_t(line) * rows_.size();
+  }
+  /// 1 where the ball's centre is half a cell up x, so that it ends at x = 1 - W on the left; else 0.
+  int skew() const { return skew_; }
+  /// Number of points.
+  std::int64_t size() const { return size_; }
+  /// The ball's points have coordinates of at most this size.
+  int radius() const { return radius_; }
+  std::size_t memory() const { return widths_.size() * sizeof(widths_[0]) + rows_.size() * sizeof(Row); }
+
+ private:
+  std::vector<Row> rows_;
+  std::vector<typename Lines<d>::Widths> widths_;
+  std::int64_t size_ = 0;
+  int skew_, radius_ = 0;
+};
+
+extern template class BallRows<2>;
+extern template class BallRows<3>;
+
+}  // namespace gridstep::bricks

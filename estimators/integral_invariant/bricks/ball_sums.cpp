@@ -1,0 +1,92 @@
+#include "estimators/integral_invariant/bricks/ball_sums.hpp"
+
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include "estimators/integral_invariant/bricks/cut_bricks.hpp"
+#include "estimators/integral_invariant/bricks/half_row_sums.hpp"
+
+namespace gridstep::bricks {
+
+template <int d, class Sum>
+struct BallSums<d, Sum>::Tables {
+  BallRows<d> ball;
+  HalfRowSums<d, Modular<Sum>> half_rows;
+
+  Tables(DigitalLength radius, int half_axis) : ball(radius, half_axis), half_rows(ball) {}
+};
+
+template <int d, class Sum>
+BallSums<d, Sum>::BallSums(DigitalLength radius, int half_axis)
+    : tables_(std::make_unique<Tables>(radius, half_axis)) {}
+template <int d, class Sum>
+BallSums<d, Sum>::BallSums(BallSums&&) noexcept = default;
+template <int d, class Sum>
+BallSums<d, Sum>& BallSums<d, Sum>::operator=(BallSums&&) noexcept = default;
+template <int d, class Sum>
+BallSums<d, Sum>::~BallSums() = default;
+
+template <int d, class Sum>
+std::int64_t BallSums<d, Sum>::ball_size() const {
+  return tables_->ball.size();
+}
+
+template <int d, class Sum>
+std::size_t BallSums<d, Sum>::memory() const {
+  return tables_->ball.memory() + tables_->half_rows.memory();
+}
+
+template <int d, class Sum>
+std::vector<Sum> BallSums<d, Sum>::eval(const DigitalSet<d>& set, const SpelsByBrick<d>& spels,
+                                        EvaluationWork* work) const {
+  const auto& sources = spels.sources();
+  std::vector<Sum> result(spels.size());
+  if (sources.empty()) return result;
+  const auto& [ball, half_rows] = *tables_;
+
+  LatticeBox<d> box{sources.front().brick, sources.front().brick};
+  for (const auto& source : sources) box = {box.lo.cwiseMin(source.brick), box.hi.cwiseMax(source.brick)};
+  for (int k = 0; k < d; ++k) {
+    const int margin = (ball.radius() >> Brick<d>::kShift[std::size_t(k)]) + 2;
+    box.lo[k] -= margin;
+    box.hi[k] += margin;
+  }
+  const BrickRows<d, Modular<Sum>> rows(set, box);
+
+  struct Scratch {
+    SourceLists<d, Modular<Sum>> lists;
+    std::int64_t visited = 0;
+  };
+  tbb::enumerable_thread_specific<Scratch> scratches;
+  constexpr std::size_t kGrain = 16;
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, sources.size(), kGrain), [&](const auto& range) {
+    auto& [lists, visited] = scratches.local();
+    for (std::size_t i = range.begin(); i < range.end(); ++i) {
+      const auto& source = sources[i];
+      lists.build(ball, rows, source.brick);
+      const LatticePoint<d> origin = Brick<d>::origin(source.brick);
+      std::size_t position = source.begin;
+      for_each_bit(source.spels, [&](int bit) {
+        Modular<Sum> sum = lists.inside;
+        sum.move(origin + Brick<d>::offset(bit));
+        add(sum, half_rows.right(lists.right.half_rows, bit));
+        add(sum, half_rows.left(lists.left.half_rows, bit));
+        add(sum, cut_sum(lists, ball, bit));
+        result[position++] = to_signed(sum);
+      });
+      visited += std::int64_t(lists.size() * (position - source.begin));
+    }
+  });
+  if (work) {
+    work->points += std::int64_t(spels.size());
+    for (const Scratch& scratch : scratches) work->cells_visited += scratch.visited;
+  }
+  return result;
+}
+
+template class BallSums<2, PlainSum<2, std::int64_t>>;
+template class BallSums<3, PlainSum<3, std::int64_t>>;
+template class BallSums<3, MomentSums<3, std::int64_t>>;
+
+}  // namespace gridstep::bricks

@@ -1,0 +1,118 @@
+#include "estimators/integral_invariant/bricks/ball_sums.hpp"
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <cmath>
+
+#include "estimators/integral_invariant/bricks/testing_cases.hpp"
+#include "estimators/integral_invariant/surfel_sums.hpp"
+
+namespace gridstep::bricks {
+namespace {
+
+using Count2 = PlainSum<2, std::int64_t>;
+using Count3 = PlainSum<3, std::int64_t>;
+using Moments3 = MomentSums<3, std::int64_t>;
+
+TEST(BrickSums, EqualTheFullKernelOnRandomSets) {
+  for (std::uint64_t seed = 0; seed < 150; ++seed) {
+    const auto plane = random_case<2>(seed, 60, 40);
+    EXPECT_EQ((differences<Count2>(plane)), 0) << plane.description;
+    const auto space = random_case<3>(seed, 12, 40);
+    EXPECT_EQ((differences<Count3>(space)), 0) << space.description;
+    EXPECT_EQ((differences<Moments3>(space)), 0) << space.description;
+  }
+}
+
+TEST(BrickSums, EqualTheFullKernelForLargeBalls) {
+  for (std::uint64_t seed = 0; seed < 4; ++seed) {
+    const auto plane = random_case<2>(seed, 700, 8);
+    EXPECT_EQ((differences<Count2>(plane)), 0) << plane.description;
+    const auto space = random_case<3>(seed, 60, 8);
+    EXPECT_EQ((differences<Count3>(space)), 0) << space.description;
+    EXPECT_EQ((differences<Moments3>(space)), 0) << space.description;
+  }
+}
+
+/// All points of a box of whole pages: no brick is stored.
+template <int d>
+DigitalSet<d> full_pages(int pages) {
+  const int side = DigitalSet<d>::kPageSide * Brick<d>::extent(0);
+  DigitalSet<d> set({LatticePoint<d>::Zero(), LatticePoint<d>::Constant(pages * side - 1)});
+  for_each_point(set.page_box(),
+                 [&](const LatticePoint<d>& page) { set.set_page(page, DigitalSet<d>::kFull); });
+  return set;
+}
+
+TEST(BrickSums, HaveNoLimitThatStudiesWouldMeet) {
+  // Far inside a full set the sum is the number of points of the ball, by rows of the sphere of radius 500.
+  std::int64_t points = 0;
+  for (std::int64_t z = -500; z <= 500; ++z)
+    for (std::int64_t y = -500; y <= 500; ++y)
+      if (const std::int64_t rest = 250000 - y * y - z * z; rest >= 0)
+        points += 2 * std::int64_t(std::sqrt(double(rest))) + 1;
+  const auto space = full_pages<3>(17);
+  SpelsByBrick<3> spels;
+  SpelsByBrick<3>::Memo memo;
+  spels.insert({541, 544, 550}, memo);
+  spels.number();
+  const BallSums<3, Count3> balls({500}, -1);
+  EXPECT_EQ(balls.ball_size(), points);
+  EXPECT_EQ(balls.eval(space, spels).front().n, points);
+
+  std::int64_t disk = 0;
+  for (std::int64_t y = -2000; y <= 2000; ++y) disk += 2 * std::int64_t(std::sqrt(4e6 - double(y * y))) + 1;
+  const auto plane = full_pages<2>(2);
+  SpelsByBrick<2> pixels;
+  SpelsByBrick<2>::Memo pixel_memo;
+  pixels.insert({2047, 2049}, pixel_memo);
+  pixels.number();
+  const BallSums<2, Count2> disks({2000}, -1);
+  EXPECT_EQ(disks.ball_size(), disk);
+  EXPECT_EQ(disks.eval(plane, pixels).front().n, disk);
+}
+
+TEST(BrickSums, AreTheSameForAnyNumberOfThreads) {
+  const auto set = ball_set<3>(30);
+  const auto surfels = boundary(set);
+  const auto run = [&](std::size_t threads) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    SurfelSums<3, Moments3> sums(set, {Evaluation::bricks, KernelCentre::spels});
+    sums.init({1}, {9.5});
+    return std::pair(sums.eval(surfels), sums.work().cells_visited);
+  };
+  const auto [one, visited_by_one] = run(1);
+  const auto [four, visited_by_four] = run(4);
+  EXPECT_EQ(visited_by_one, visited_by_four);
+  for (std::size_t i = 0; i < surfels.size(); ++i)
+    ASSERT_TRUE(one[i].inner == four[i].inner && one[i].outer == four[i].outer);
+}
+
+TEST(BrickSums, VisitFewBricks) {
+  // The curves where ball boundaries cross the set's boundary grow like R; so do the bricks that they meet. The
+  // spheres are those of one sphere with R = k h^1/3.
+  for (const int R : {8, 16, 24}) {
+    const auto set = ball_set<3>(std::pow(R, 1.5));
+    const auto surfels = boundary(set);
+    SurfelSums<3, Count3> sums(set, {Evaluation::bricks, KernelCentre::spels});
+    sums.init({1}, {double(R)});
+    sums.eval(surfels);
+    EXPECT_LT(double(sums.work().cells_visited) / double(sums.work().evaluations), 5 * R);
+  }
+}
+
+TEST(BrickSums, TakeTheRadiiOfBallKernel) {
+  EXPECT_THROW((BallSums<3, Count3>({0.99}, -1)), InputError);
+  EXPECT_THROW((BallSums<3, Count3>({std::nan("")}, -1)), InputError);
+  EXPECT_THROW((BallSums<3, Count3>({1001}, -1)), InputError);
+  EXPECT_THROW((BallSums<2, Count2>({20000}, -1)), InputError);
+  EXPECT_THROW((BallSums<2, Count2>({1e300}, -1)), InputError);
+  for (const double r : {1.0, 1.4, 2.0, 0.3 / 0.1, 9.0, 17.3})
+    for (const int half_axis : {-1, 0, 1, 2})
+      EXPECT_EQ((BallSums<3, Count3>({r}, half_axis).ball_size()),
+                std::int64_t(ball_kernel<3>({r}, half_axis).size()));
+}
+
+}  // namespace
+}  // namespace gridstep::bricks

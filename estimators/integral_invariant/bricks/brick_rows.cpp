@@ -1,0 +1,96 @@
+#include "estimators/integral_invariant/bricks/brick_rows.hpp"
+
+#include <limits>
+
+#include "estimators/integral_invariant/bricks/brick_sums.hpp"
+
+namespace gridstep::bricks {
+
+namespace {
+
+/// Pages of one row that are not empty; neighbours that are full are one piece.
+struct Piece {
+  int begin, end;  // pages along x
+  bool full;
+};
+
+template <int d>
+std::vector<Piece> pieces_of(const DigitalSet<d>& set, LatticePoint<d> page, int begin, int end) {
+  std::vector<Piece> pieces;
+  for (page[0] = begin; page[0] < end; ++page[0]) {
+    const std::int32_t state = set.page_state(page);
+    if (state == DigitalSet<d>::kEmpty) continue;
+    const bool full = state == DigitalSet<d>::kFull;
+    if (full && !pieces.empty() && pieces.back().full && pieces.back().end == page[0])
+      ++pieces.back().end;
+    else
+      pieces.push_back({page[0], page[0] + 1, full});
+  }
+  return pieces;
+}
+
+template <int d>
+LatticePoint<d> page_of(const LatticePoint<d>& brick) {
+  return brick.unaryExpr([](int x) { return x >> DigitalSet<d>::kPageShift; });
+}
+
+}  // namespace
+
+template <int d, class Sum>
+BrickRows<d, Sum>::BrickRows(const DigitalSet<d>& set, const LatticeBox<d>& box)
+    : box_(box.intersection(set.brick_box())) {
+  if (box_.empty()) box_ = {LatticePoint<d>::Zero(), LatticePoint<d>::Zero()};
+  extent_ = box_.extent();
+  const LatticePoint<d> first_page = page_of<d>(box_.lo), last_page = page_of<d>(box_.hi);
+
+  LatticePoint<d> known = first_page;  // the row of pages that `pieces` are of
+  std::vector<Piece> pieces = pieces_of<d>(set, known, first_page[0], last_page[0] + 1);
+  LatticeBox<d> row_starts = box_;
+  row_starts.hi[0] = row_starts.lo[0];
+  for_each_point(row_starts, [&](const LatticePoint<d>& start) {
+    LatticePoint<d> page = page_of<d>(start);
+    if (page != known) {
+      known = page;
+      pieces = pieces_of<d>(set, page, first_page[0], last_page[0] + 1);
+    }
+    row_begin_.push_back(runs_.size());
+    Sum sum;
+    const auto add_full_run = [&](int begin, int end) {
+      const bool continues =
+          runs_.size() > row_begin_.back() && !runs_.back().mixed && runs_.back().end == begin;
+      if (continues)
+        runs_.back().end = end;
+      else
+        runs_.push_back({begin, end, nullptr, sum});
+      add_full(sum, start, begin, end);
+    };
+    LatticePoint<d> brick = start;
+    for (const Piece& piece : pieces) {
+      const int begin = piece.begin * DigitalSet<d>::kPageSide, end = piece.end * DigitalSet<d>::kPageSide;
+      if (piece.full) {
+        add_full_run(begin, end);
+        continue;
+      }
+      for (brick[0] = begin; brick[0] < end; ++brick[0]) {
+        const std::int32_t state = set.state(brick);
+        if (state == DigitalSet<d>::kEmpty) continue;
+        // A stored brick may have become uniform point by point.
+        const int count = state < 0 ? Brick<d>::kBits : set.stored_brick(state).count();
+        if (count == Brick<d>::kBits) add_full_run(brick[0], brick[0] + 1);
+        if (count == 0 || count == Brick<d>::kBits) continue;
+        const Brick<d>& bits = set.stored_brick(state);
+        runs_.push_back({brick[0], brick[0] + 1, &bits, sum});
+        add_brick(sum, bits, Brick<d>::origin(brick));
+      }
+    }
+    constexpr int kInfinity = std::numeric_limits<int>::max();
+    runs_.push_back({kInfinity, kInfinity, nullptr, sum});
+  });
+  row_begin_.push_back(runs_.size());
+}
+
+template class BrickRows<2, PlainSum<2, std::uint64_t>>;
+template class BrickRows<3, PlainSum<3, std::uint64_t>>;
+template class BrickRows<3, MomentSums<3, std::uint64_t>>;
+
+}  // namespace gridstep::bricks

@@ -1,0 +1,69 @@
+#include "estimators/integral_invariant/bricks/spels_by_brick.hpp"
+
+namespace gridstep::bricks {
+
+template <int d>
+std::size_t SpelsByBrick<d>::slot(const LatticePoint<d>& brick) const {
+  std::uint64_t hash = 0;
+  for (int k = 0; k < d; ++k) {
+    hash = (hash ^ std::uint32_t(brick[k])) * 0x9e3779b97f4a7c15u;
+    hash ^= hash >> 32;
+  }
+  std::size_t i = hash & (table_.size() - 1);
+  while (table_[i] != kNone && sources_[table_[i]].brick != brick) i = (i + 1) & (table_.size() - 1);
+  return i;
+}
+
+template <int d>
+void SpelsByBrick<d>::grow() {
+  table_.assign(2 * table_.size(), kNone);
+  for (std::uint32_t i = 0; i < sources_.size(); ++i) table_[slot(sources_[i].brick)] = i;
+}
+
+template <int d>
+void SpelsByBrick<d>::insert(const LatticePoint<d>& spel, Memo& memo) {
+  const LatticePoint<d> brick = Brick<d>::of(spel);
+  if (brick != memo.brick) {
+    std::size_t i = slot(brick);
+    if (table_[i] == kNone) {
+      if (2 * (sources_.size() + 1) > table_.size()) {
+        grow();
+        i = slot(brick);
+      }
+      table_[i] = std::uint32_t(sources_.size());
+      sources_.push_back({brick, {}, 0, {}});
+    }
+    memo = {brick, table_[i]};
+  }
+  sources_[memo.source].spels.set(Brick<d>::bit(spel), true);
+}
+
+template <int d>
+void SpelsByBrick<d>::number() {
+  size_ = 0;
+  for (Source& source : sources_) {
+    source.begin = size_;
+    int count = 0;
+    for (std::size_t w = 0; w < 8; ++w) {
+      source.before[w] = std::uint16_t(count);
+      count += std::popcount(source.spels.words[w]);
+    }
+    size_ += std::size_t(count);
+  }
+}
+
+template <int d>
+std::size_t SpelsByBrick<d>::position(const LatticePoint<d>& spel, Memo& memo) const {
+  const LatticePoint<d> brick = Brick<d>::of(spel);
+  if (brick != memo.brick) memo = {brick, table_[slot(brick)]};
+  const Source& source = sources_[memo.source];
+  const int bit = Brick<d>::bit(spel);
+  const auto word = std::size_t(bit) >> 6;
+  const std::uint64_t earlier = source.spels.words[word] & ((std::uint64_t{1} << (bit & 63)) - 1);
+  return source.begin + source.before[word] + std::size_t(std::popcount(earlier));
+}
+
+template class SpelsByBrick<2>;
+template class SpelsByBrick<3>;
+
+}  // namespace gridstep::bricks

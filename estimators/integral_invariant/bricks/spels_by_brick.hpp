@@ -1,0 +1,56 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "shapes/digital/brick.hpp"
+#include "shapes/digital/khalimsky.hpp"
+
+namespace gridstep::bricks {
+
+/// Distinct spels, grouped by the brick they lie in: bricks in the order in which they were first seen, spels of
+/// a brick by bit.
+template <int d>
+class SpelsByBrick {
+ public:
+  struct Source {
+    LatticePoint<d> brick;
+    Brick<d> spels;
+    std::size_t begin = 0;                  ///< position of its first spel; valid after number()
+    std::array<std::uint16_t, 8> before{};  ///< spels in earlier words
+  };
+  /// Where the last spel was found: successive ones are mostly in one brick.
+  struct Memo {
+    LatticePoint<d> brick = LatticePoint<d>::Constant(std::numeric_limits<int>::min());
+    std::uint32_t source = 0;
+  };
+
+  SpelsByBrick() : table_(64, kNone) {}
+
+  void insert(const LatticePoint<d>& spel, Memo& memo);
+  /// Numbers the spels; to be called between the last insert() and the first position().
+  void number();
+  /// Position of a spel that was inserted.
+  std::size_t position(const LatticePoint<d>& spel, Memo& memo) const;
+
+  const std::vector<Source>& sources() const { return sources_; }
+  std::size_t size() const { return size_; }
+
+ private:
+  static constexpr std::uint32_t kNone = ~std::uint32_t{0};
+
+  /// Slot of the table that holds the brick, or where it would go.
+  std::size_t slot(const LatticePoint<d>& brick) const;
+  void grow();
+
+  std::vector<Source> sources_;
+  std::vector<std::uint32_t> table_;  // open addressing, a power of two, at most half full
+  std::size_t size_ = 0;
+};
+
+extern template class SpelsByBrick<2>;
+extern template class SpelsByBrick<3>;
+
+}  // namespace gridstep::bricks
