@@ -124,19 +124,42 @@ TEST(MaximalArcs, TheHoleInADiskIsConcave) {
   EXPECT_NEAR(arcs[0].curvature, -1 / 20.0, 0.5 / 400);
 }
 
-TEST(ArcRecognition, CirclesSeparateTheLinelsOfTheirArc) {
-  // Read linel by linel: the circle kept has every point on its side, to within rounding of its radius.
-  for (std::uint64_t seed = 1; seed < 40; seed += 4) {
-    const DigitalContour contour = random_contour(seed, 30);
-    const LinelSides sides(contour);
-    ArcRecognition arc(sides);
-    arc.start(0);
-    while (arc.size() < contour.size() && arc.extend()) {
-    }
-    EXPECT_GT(arc.size(), 4);
-    EXPECT_TRUE(std::isfinite(arc.curvature()));
-    EXPECT_LT(std::abs(arc.curvature()), 2);
+// Far from the pole the predicates need 128 bits: a disk of radius 20 000 is one arc, and an arc no longer when one
+// point at its far side is missing.
+TEST(MaximalArcs, AreExactFarFromThePole) {
+  const int r = 20'000;
+  std::vector<LatticePoint<2>> pointels;
+  // The contour of the disk {|z| <= r}, by its rows: half-widths change by steps, walked with the disk on the left.
+  const auto half_width = [&](std::int64_t y) {
+    auto w = std::int64_t(std::sqrt(double(std::int64_t{r} * r - y * y)));
+    while (w * w + y * y > std::int64_t{r} * r) --w;
+    while ((w + 1) * (w + 1) + y * y <= std::int64_t{r} * r) ++w;
+    return int(w);
+  };
+  const auto walk_to = [&](int x, int y) {  // along x, then along y
+    if (pointels.empty()) pointels.push_back({x, y});
+    while (pointels.back()[0] != x)
+      pointels.push_back({pointels.back()[0] + (x > pointels.back()[0] ? 1 : -1), pointels.back()[1]});
+    while (pointels.back()[1] != y)
+      pointels.push_back({x, pointels.back()[1] + (y > pointels.back()[1] ? 1 : -1)});
+  };
+  for (int y = -r; y <= r; ++y) walk_to(half_width(y) + 1, y), walk_to(half_width(y) + 1, y + 1);
+  for (int y = r; y >= -r; --y) walk_to(-half_width(y), y + 1), walk_to(-half_width(y), y);
+  walk_to(half_width(-r) + 1, -r);
+  pointels.pop_back();
+  DigitalContour disk{pointels};
+  const auto whole = maximal_arcs(disk);
+  ASSERT_EQ(whole.size(), 1u);
+  EXPECT_NEAR(whole[0].curvature, 1.0 / r, 1e-9);
+  // Cut off a corner: the pointel between a step along x and one along y moves inwards.
+  const std::ptrdiff_t n = disk.size();
+  for (std::ptrdiff_t i = n / 3; i < n; ++i) {
+    const LatticePoint<2> a = disk.step(i - 1), b = disk.step(i);
+    if (a[0] * b[1] - a[1] * b[0] != 1) continue;
+    disk.pointels[std::size_t(i)] += b - a;
+    break;
   }
+  EXPECT_GT(maximal_arcs(disk).size(), 1u);
 }
 
 TEST(CanonicalStart, MovesWithTheContour) {
