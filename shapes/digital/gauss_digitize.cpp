@@ -1,10 +1,11 @@
 #include "shapes/digital/gauss_digitize.hpp"
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <vector>
+
+#include "shapes/base/parallel.hpp"
 
 namespace gridstep {
 
@@ -233,8 +234,9 @@ DigitalSet<d> gauss_digitize(const Region<d>& region, GridStep h, DigitizationWo
   std::vector<Page<d>> pages(std::min(kBatch, cut.size()));
   for (std::size_t begin = 0; begin < cut.size(); begin += kBatch) {
     const std::size_t count = std::min(kBatch, cut.size() - begin);
-    tbb::parallel_for(std::size_t{0}, count,
-                      [&](std::size_t i) { Digitizer<d>(region, h).digitize(cut[begin + i], pages[i]); });
+    parallel_chunks(count, 1, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i != last; ++i) Digitizer<d>(region, h).digitize(cut[begin + i], pages[i]);
+    });
     for (std::size_t i = 0; i < count; ++i) {
       const auto& [states, bricks, page_work] = pages[i];
       const bool uniform = std::equal(states.begin() + 1, states.end(), states.begin());
