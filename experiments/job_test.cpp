@@ -42,11 +42,11 @@ TEST(RunJob, GivesTheSameErrorsWhateverTheParts) {
 
 TEST(RunJob, NamesTheStepThatIsTooCoarse) {
   const Study study = Study::read(nlohmann::json::parse(R"({"name": "coarse", "sweeps": [{
-    "shapes": ["sphere:radius=0.2"], "estimators": ["ii"],
+    "shapes": ["sphere:radius=0.01"], "estimators": ["ii"],
     "radii": [{"k": 3}], "schedule": {"values": [1]}, "shifts": 1}]})"),
                                   "test.json");
   try {
-    run_job<3>(study, {&study.sweeps[0], 0, 0, 0, 0}, *make_shape<3>("sphere:radius=0.2"));
+    run_job<3>(study, {&study.sweeps[0], 0, 0, 0, 0}, *make_shape<3>("sphere:radius=0.01"));
     FAIL();
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find("h = 1"), std::string::npos) << error.what();

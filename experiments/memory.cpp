@@ -1,6 +1,7 @@
 #include "experiments/memory.hpp"
 
 #include <fmt/format.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -55,6 +56,18 @@ double predicted_table_memory(DigitalLength radius, Evaluation evaluation, int t
   const double dense_kernel = evaluation == Evaluation::full ? 0 : 8 * std::pow(2 * r + 5, d);
   const double window = std::pow(std::max(2 * r + (d == 2 ? 256 : 32), 3 * r), d);
   return kernel + masks + dense_kernel + threads * window;
+}
+
+double peak_memory() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return 1024.0 * double(usage.ru_maxrss);
+}
+
+std::string memory_report(double predicted, std::int64_t surfels) {
+  const double peak = peak_memory(), gib = 0x1p30;
+  return fmt::format("peak memory {:.3g} GiB ({:.3g} bytes a surfel), predicted {:.3g} GiB", peak / gib,
+                     peak / double(surfels), predicted / gib);
 }
 
 void require_memory(double bytes, const std::string& what) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "estimators/catalogue.hpp"
@@ -23,6 +24,12 @@ double predicted_surfel_memory(bool moments);
 /// Bytes of an estimator's kernel, masks or tables, and of the windows of its threads.
 template <int d>
 double predicted_table_memory(DigitalLength radius, Evaluation evaluation, int threads);
+
+/// The most bytes that this process has held at a time.
+double peak_memory();
+
+/// "peak memory 1.2 GiB (18.1 bytes a surfel), predicted 2 GiB".
+std::string memory_report(double predicted, std::int64_t surfels);
 
 /// @throws InputError "what: needs about ... GiB, but only ... GiB are available".
 void require_memory(double bytes, const std::string& what);

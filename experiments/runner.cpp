@@ -65,26 +65,30 @@ double predicted_job_memory(const Sweep& sweep, const Shape<d>& shape, GridStep 
   return bytes;
 }
 
-/// Fails before anything is computed or written where the largest job of a sweep would not fit.
-void check_memory(const Sweep& sweep, const std::vector<AnyShape>& shapes) {
-  const GridStep h{sweep.schedule.values().back()};
-  for (std::size_t i = 0; i < shapes.size(); ++i)
-    std::visit(
-        [&]<int d>(const std::shared_ptr<const Shape<d>>& shape) {
-          require_memory(predicted_job_memory<d>(sweep, *shape, h),
-                         fmt::format("{} at h = {:.6g}", sweep.shapes[i].canonical(), h.value));
-        },
-        shapes[i]);
-}
-
 }  // namespace
 
-std::vector<Record> run_study(const Study& study, const nlohmann::json& source, const RunOptions& options) {
-  std::map<const Sweep*, std::vector<AnyShape>> shapes;
+double predicted_memory(const Study& study) {
+  double most = 0;
   for (const Sweep& sweep : study.sweeps) {
-    for (const ShapeSpec& spec : sweep.shapes) shapes[&sweep].push_back(make_shape(spec));
-    check_memory(sweep, shapes[&sweep]);
+    const GridStep h{sweep.schedule.values().back()};
+    for (const ShapeSpec& spec : sweep.shapes) {
+      const double bytes = std::visit(
+          [&]<int d>(const std::shared_ptr<const Shape<d>>& shape) {
+            return predicted_job_memory<d>(sweep, *shape, h);
+          },
+          make_shape(spec));
+      require_memory(bytes, fmt::format("{} at h = {:.6g}", spec.canonical(), h.value));
+      most = std::max(most, bytes);
+    }
   }
+  return most;
+}
+
+std::vector<Record> run_study(const Study& study, const nlohmann::json& source, const RunOptions& options) {
+  predicted_memory(study);
+  std::map<const Sweep*, std::vector<AnyShape>> shapes;
+  for (const Sweep& sweep : study.sweeps)
+    for (const ShapeSpec& spec : sweep.shapes) shapes[&sweep].push_back(make_shape(spec));
 
   std::optional<Journal> journal;
   std::vector<Record> records;

@@ -212,7 +212,8 @@ void run_shape(const Options& options, const Shape<d>& shape) {
       tables = std::max(tables, predicted_table_memory<d>(to_digital(*R, h), evaluation,
                                                           tbb::this_task_arena::max_concurrency()));
   }
-  require_memory(bytes + tables, fmt::format("{} at h = {}", options.shape, h.value));
+  const double predicted = bytes + tables;
+  require_memory(predicted, fmt::format("{} at h = {}", options.shape, h.value));
   const std::unique_ptr<OutputFile> csv = open_csv(options);
 
   const Scene<d> scene = [&] {
@@ -257,6 +258,7 @@ void run_shape(const Options& options, const Shape<d>& shape) {
     }
     print_work(out, e, options, scene.surfels.size());
   }
+  fmt::print(out, "{}\n", memory_report(predicted, std::int64_t(scene.surfels.size())));
 }
 
 /// For images, in pixels.
