@@ -1,9 +1,12 @@
 #include "shapes/digital/boundary.hpp"
 
 #include <algorithm>
+#include <array>
 #include <boost/pending/disjoint_sets.hpp>
 #include <numeric>
 #include <unordered_map>
+
+#include "shapes/base/parallel.hpp"
 
 namespace gridstep {
 
@@ -27,26 +30,96 @@ Surfel<2> next_on_contour(const DigitalSet<2>& set, const Surfel<2>& linel, Surf
   return adjacent_surfel(set, linel, axis, sign, adjacency);
 }
 
+/// Calls visit(axis, sign, bits) with the inner points of the surfels of a brick that face each way.
+template <int d, class Visit>
+void for_each_side(const DigitalSet<d>& set, const LatticePoint<d>& brick, Visit visit) {
+  const std::int32_t state = set.state(brick);
+  const Brick<d>& own = set.brick_of(state);
+  for (int axis = 0; axis < d; ++axis)
+    for (const int sign : {-1, +1}) {
+      LatticePoint<d> next = brick;
+      next[axis] += sign;
+      const std::int32_t next_state = set.state(next);
+      if (state == DigitalSet<d>::kFull && next_state == DigitalSet<d>::kFull) continue;
+      Brick<d> bits = shifted(own, set.brick_of(next_state), axis, sign);
+      for (std::size_t i = 0; i < 8; ++i) bits.words[i] = own.words[i] & ~bits.words[i];
+      visit(axis, sign, bits);
+    }
+}
+
+constexpr std::size_t kBricksAtOnce = 64;  // by one thread
+
+/// How many surfels come before each brick, and then all of them.
+template <int d>
+std::vector<std::size_t> begin_of_bricks(const DigitalSet<d>& set, std::span<const LatticePoint<d>> bricks) {
+  std::vector<std::size_t> begin(bricks.size() + 1, 0);
+  parallel_chunks(bricks.size(), kBricksAtOnce, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i != last; ++i)
+      for_each_side(set, bricks[i],
+                    [&](int, int, const Brick<d>& bits) { begin[i + 1] += std::size_t(bits.count()); });
+  });
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  return begin;
+}
+
+/// Writes the surfels of some bricks, those of bricks[i] to out + begin[i] - begin[0].
+template <int d>
+void extract(const DigitalSet<d>& set, std::span<const LatticePoint<d>> bricks,
+             std::span<const std::size_t> begin, Surfel<d>* out) {
+  parallel_chunks(bricks.size(), kBricksAtOnce, [&](std::size_t first, std::size_t last) {
+    Surfel<d>* next = out + (begin[first] - begin[0]);
+    for (std::size_t i = first; i != last; ++i) {
+      const LatticePoint<d> origin = Brick<d>::origin(bricks[i]);
+      for_each_side(set, bricks[i], [&](int axis, int sign, const Brick<d>& bits) {
+        for_each_bit(bits, [&](int bit) {
+          *next++ = {origin + Brick<d>::offset(bit), std::int8_t(axis), std::int8_t(sign)};
+        });
+      });
+    }
+  });
+}
+
+template <int d>
+std::vector<LatticePoint<d>> border_bricks(const DigitalSet<d>& set) {
+  std::vector<LatticePoint<d>> bricks;
+  for_each_border_brick(set, [&](const LatticePoint<d>& brick) { bricks.push_back(brick); });
+  return bricks;
+}
+
 }  // namespace
 
 template <int d>
 std::vector<Surfel<d>> boundary(const DigitalSet<d>& set) {
-  std::vector<Surfel<d>> surfels;
-  for_each_border_brick(set, [&](const LatticePoint<d>& b) {
-    const Brick<d> own = set.brick(b);
-    const LatticePoint<d> origin = Brick<d>::origin(b);
-    for (int axis = 0; axis < d; ++axis)
-      for (const int sign : {-1, +1}) {
-        LatticePoint<d> next = b;
-        next[axis] += sign;
-        Brick<d> border = shifted(own, set.brick(next), axis, sign);
-        for (int i = 0; i < 8; ++i) border.words[i] = own.words[i] & ~border.words[i];
-        for_each_bit(border, [&](int bit) {
-          surfels.push_back({origin + Brick<d>::offset(bit), std::int8_t(axis), std::int8_t(sign)});
-        });
-      }
-  });
+  const std::vector<LatticePoint<d>> bricks = border_bricks(set);
+  const std::vector<std::size_t> begin = begin_of_bricks<d>(set, bricks);
+  std::vector<Surfel<d>> surfels(begin.back());
+  extract<d>(set, bricks, begin, surfels.data());
   return surfels;
+}
+
+template <int d>
+void for_each_boundary_chunk(const DigitalSet<d>& set, std::size_t most,
+                             const std::function<void(std::span<const Surfel<d>>)>& visit) {
+  constexpr std::size_t kBatch = 4096;  // bricks: work for all threads, some hundred kilobytes
+  std::vector<LatticePoint<d>> batch;
+  std::vector<Surfel<d>> chunk;
+  const auto extract_batch = [&] {
+    const std::vector<std::size_t> begin = begin_of_bricks<d>(set, batch);
+    for (std::size_t first = 0, last; first < batch.size(); first = last) {
+      last = first + 1;
+      while (last < batch.size() && begin[last + 1] - begin[first] <= most) ++last;
+      chunk.resize(begin[last] - begin[first]);
+      extract<d>(set, std::span(batch).subspan(first, last - first), std::span(begin).subspan(first),
+                 chunk.data());
+      if (!chunk.empty()) visit(chunk);
+    }
+    batch.clear();
+  };
+  for_each_border_brick(set, [&](const LatticePoint<d>& brick) {
+    batch.push_back(brick);
+    if (batch.size() == kBatch) extract_batch();
+  });
+  extract_batch();
 }
 
 template <int d>
@@ -114,6 +187,8 @@ DigitalSurface<d> connected_boundary(const DigitalSet<d>& set, SurfelAdjacency a
 
 #define GRIDSTEP_INSTANTIATE(d)                                                                          \
   template std::vector<Surfel<d>> boundary(const DigitalSet<d>&);                                        \
+  template void for_each_boundary_chunk(const DigitalSet<d>&, std::size_t,                               \
+                                        const std::function<void(std::span<const Surfel<d>>)>&);         \
   template Surfel<d> adjacent_surfel(const DigitalSet<d>&, const Surfel<d>&, int, int, SurfelAdjacency); \
   template DigitalSurface<d> connected_boundary(const DigitalSet<d>&, SurfelAdjacency);
 GRIDSTEP_INSTANTIATE(2)
