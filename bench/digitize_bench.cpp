@@ -46,9 +46,9 @@ void run(benchmark::State& state, const DigitalSet<d>& set, Work work) {
 }
 
 template <int d>
-void digitize(benchmark::State& state, const std::string& spec) {
+void digitize(benchmark::State& state, const std::string& spec, GridStep coarse) {
   const auto shape = make_shape<d>(spec);
-  if (!equals_the_definition<d>(*shape, {d == 2 ? 0.1 : 0.5})) {
+  if (!equals_the_definition<d>(*shape, coarse)) {
     state.SkipWithError("differs from sampling every point");
     return;
   }
@@ -56,6 +56,7 @@ void digitize(benchmark::State& state, const std::string& spec) {
   DigitizationWork work;
   const DigitalSet<d> set = gauss_digitize<d>(*shape, h);
   run(state, set, [&] { return gauss_digitize<d>(*shape, h, &work); });
+  state.counters["calls_per_surfel"] = double(work.points + work.boxes) / state.counters["surfels"];
   state.counters["points_sampled"] = double(work.points);
   state.counters["boxes"] = double(work.boxes);
   state.counters["memory"] = double(set.memory());
@@ -83,10 +84,11 @@ void kernel(benchmark::State& state) {
 
 template <int d>
 void add(const std::string& spec, const std::vector<std::int64_t>& inverse_steps) {
+  const GridStep coarse{2.0 / double(inverse_steps.front())};
   const auto growth = d == 2 ? benchmark::oN : benchmark::oNSquared;  // that of the surface in 1/h
-  auto* const digitization =
-      benchmark::RegisterBenchmark(fmt::format("digitize/{}d/{}", d, spec).c_str(),
-                                   [spec](benchmark::State& state) { digitize<d>(state, spec); });
+  auto* const digitization = benchmark::RegisterBenchmark(
+      fmt::format("digitize/{}d/{}", d, spec).c_str(),
+      [spec, coarse](benchmark::State& state) { digitize<d>(state, spec, coarse); });
   auto* const extraction =
       benchmark::RegisterBenchmark(fmt::format("boundary/{}d/{}", d, spec).c_str(),
                                    [spec](benchmark::State& state) { extract<d>(state, spec); });
@@ -102,8 +104,15 @@ void add(const std::string& spec, const std::vector<std::int64_t>& inverse_steps
 int main(int argc, char** argv) {
   using namespace gridstep;
   add<3>("sphere", {4, 8, 16});
+  add<3>("torus", {10, 20, 50});
   add<3>("goursat", {4, 8, 16});
+  add<3>("rounded-cube", {4, 8, 16});
+  add<3>("leopold", {8, 16, 32});
+  add<3>("heart", {60, 120, 240});
+  add<2>("disk", {40, 160, 640});
   add<2>("flower", {10, 40, 160});
+  add<2>("accflower", {10, 40, 160});
+  add<2>("lemniscate", {40, 160, 640});
   const auto kernels = [](auto* const row, benchmark::BigO growth, std::vector<std::int64_t> radii) {
     row->ArgName("R")->Unit(benchmark::kMillisecond)->Complexity(growth);
     for (const std::int64_t R : radii) row->Arg(R);

@@ -25,10 +25,11 @@ class OffCentreBall final : public Region<d> {
     for (int k = 0; k < d; ++k) centre_[k] = 0.13 + 0.24 * k;
   }
   RealBox<d> bounds() const override { return {centre_.array() - radius_, centre_.array() + radius_}; }
-  Side side(const RealBox<d>& box) const override {
-    if (box.squaredExteriorDistance(centre_) > radius_ * radius_ * (1 + 1e-9)) return Side::outside;
-    const RealPoint<d> farthest = (box.min() - centre_).cwiseAbs().cwiseMax((box.max() - centre_).cwiseAbs());
-    return farthest.squaredNorm() < radius_ * radius_ * (1 - 1e-9) ? Side::inside : Side::crossing;
+  AffineBound<d> bound(const RealBox<d>& box) const override {
+    // |p - c|^2 - radius^2 around the middle m of the box, but for |p - m|^2 and the rounding of inside().
+    const RealPoint<d> middle = box.center(), from_centre = middle - centre_;
+    return {middle, from_centre.squaredNorm() - radius_ * radius_, 2 * from_centre,
+            box.sizes().squaredNorm() / 4 * (1 + 1e-12) + 1e-12 * radius_ * radius_};
   }
   std::uint64_t inside(std::span<const RealPoint<d>> points) const override {
     std::uint64_t result = 0;

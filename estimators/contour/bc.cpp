@@ -11,19 +11,17 @@ namespace {
 /// Curvature and tangent of the contour of linel midpoints, smoothed by a binomial mask: with t and c the
 /// first and the second backward difference of the smoothed midpoints (complex numbers, in cells),
 ///   tangent = t / |t|, kappa = Im(conj(t) c) / (h |t|^3).
-///   Units     kappa in 1/length, positive where the set is convex; the tangent has length 1 and walks with
-///   the
-///             set on the left.
-///   Mask      binomial_mask_size().
-///   Position  that of the linel's centre, as the value is published; t is exactly that of the linel's
-///   starting
-///             pointel, and c that of the preceding linel's centre: a lag of at most one linel, far below the
-///             width of the mask.
-///   Bound     announced O(h^4/9), not observed: the slope of the sup error is about 0.15 at most.
-///   Degenerate  kappa = 0, and the direction of the linel, where t vanishes: a mask that swallows its
-///   contour. Cost      O(N log N) for a contour of N linels. Sources   [Malgouyres, Brunet, Fourey, DGCI
-///   2008], [Esbelin, Malgouyres, Cartade, Convergence of
-///             binomial-based derivative estimation for C^2 noisy discretized curves, TCS 412(36), 2011].
+///   Units       kappa in 1/length, positive where the set is convex; the tangent has length 1 and walks
+///               with the set on the left.
+///   Mask        binomial_mask_size().
+///   Position    the linel's centre, as published. Backward differences lag: t belongs to the linel's
+///               starting pointel, c to the centre of the preceding linel. The mask is far wider.
+///   Bound       announced O(h^4/9), not observed: the slope of the sup error is 0.11 to 0.16.
+///   Degenerate  kappa = 0, and the direction of the linel, where t vanishes: the mask swallows the contour.
+///   Cost        O(N log N) for a contour of N linels.
+///   Sources     [Malgouyres, Brunet, Fourey, Binomial convolutions and derivatives estimation from noisy
+///               discretizations, DGCI 2008], [Esbelin, Malgouyres, Cartade, Convergence of binomial-based
+///               derivative estimation for C^2 noisy discretized curves, TCS 412(36), 2011].
 void binomial_curvature(const DigitalContour& contour, GridStep h,
                         std::vector<std::vector<double>>& columns) {
   const auto N = std::size_t(contour.size());

@@ -14,10 +14,9 @@ namespace gridstep {
 ///   s(i) = sum over |k| <= n of C(2n, n + k) / 4^n z(i - k),
 /// where the mask wraps around sequences shorter than itself. Points of the plane are complex numbers.
 ///   Method  by the mask's transfer function cos^2n(pi k / N), in closed form for any n.
-///   Error   below 1e-12 of the largest value of each difference.
+///   Error   about 1e-15 of the largest |z|, scaled by the mask as the sequence is: put z near the origin.
 ///   Cost    O(N log N) for any N and n: at the construction, and for each difference.
-///   Source  [Malgouyres, Brunet, Fourey, Binomial convolutions and derivatives estimation from noisy
-///           discretizations, DGCI 2008].
+///   Source  [Malgouyres, Brunet, Fourey, DGCI 2008]; in bc.cpp with its title.
 class BinomialConvolution {
  public:
   /// @param n a whole number; a double, as it grows without bound where the grid step gets small.

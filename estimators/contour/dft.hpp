@@ -11,9 +11,7 @@ namespace gridstep {
 /// length can be chosen [Bluestein, A linear filtering approach to the computation of the discrete Fourier
 /// transform, IEEE Trans. Audio Electroacoustics 18(4), 1970].
 ///   Error  about 1e-15 of the root mean square of the result.
-///   Cost   O(N log N): two transforms of a length in [2N, 2.3 N] with no factor above 5, or the next such
-///   one
-///          where N is small.
+///   Cost   O(N log N): two transforms whose length is the next number from 2N on without a factor above 5.
 class DiscreteFourierTransform {
  public:
   /// @throws ContractViolation unless 0 < length < 2^29.

@@ -1,6 +1,3 @@
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -9,6 +6,7 @@
 #include "estimators/integral_invariant/curvature.hpp"
 #include "estimators/integral_invariant/disk_count.hpp"
 #include "shapes/base/contracts.hpp"
+#include "shapes/base/parallel.hpp"
 
 namespace gridstep {
 
@@ -45,8 +43,8 @@ class ParameterFree final : public Estimator<2> {
     std::size_t first = 0;
     for (const DigitalContour& contour : closed_contours(linels)) {
       const std::vector<double> radii = digital_radii(contour);
-      tbb::parallel_for(tbb::blocked_range<std::size_t>(0, radii.size(), 64), [&](const auto& range) {
-        for (std::size_t i = range.begin(); i != range.end(); ++i) {
+      parallel_chunks(radii.size(), 64, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i != end; ++i) {
           const Surfel<2>& linel = linels[first + i];
           const DiskRows disk({radii[i]});
           const double sum = 0.5 * double(rows_.count(linel.inner, disk) + rows_.count(linel.outer(), disk));

@@ -2,17 +2,12 @@
 #include <numbers>
 
 #include "estimators/contour/contour_estimator.hpp"
+#include "estimators/contour/eccentricity.hpp"
 #include "estimators/contour/tangential_cover.hpp"
 
 namespace gridstep {
 
 namespace {
-
-/// Weight of a segment for a point at the fraction e of its length: C^2, 0 at the ends, 1 in the middle.
-double lambda(double e) {
-  const double u = 4 * e * (1 - e);
-  return u * u * u;
-}
 
 /// Angle from the x or y axis, positive or negative, that starts the quadrant of (b, a), in [0, pi/2).
 double angle_in_quadrant(const DigitalLine& line) {
@@ -22,7 +17,7 @@ double angle_in_quadrant(const DigitalLine& line) {
 
 /// Tangent: the mean angle of the maximal segments that contain the linel,
 ///   theta = sum lambda(e_k) theta_k / sum lambda(e_k),  e_k = (i + 1/2 - first_k) / (last_k - first_k),
-/// with lambda(e) = 64 e^3 (1 - e)^3. Smooth along the contour where mst jumps.
+/// lambda being eccentricity_weight(). Smooth along the contour where mst jumps.
 ///   Units  a unit vector, walking with the set on the left. At linel centres.
 ///   Bound  of the mean error, O(h^1/3) for convex shapes with C^3 boundary; of the sup error none is proven.
 ///   Cost   O(total length of the maximal segments), 3 to 4 times the linels of smooth shapes.
@@ -40,7 +35,8 @@ void tangent(const DigitalContour& contour, GridStep, std::vector<std::vector<do
     const auto [begin, end] = segments[std::size_t(i)];
     for (std::ptrdiff_t k = begin; k < end; ++k) {
       const MaximalSegment segment = cover[k];
-      const double weight = lambda((double(i - segment.first) + 0.5) / double(segment.last - segment.first));
+      const double weight =
+          eccentricity_weight((double(i - segment.first) + 0.5) / double(segment.last - segment.first));
       // A segment's linels have the two directions of its quadrant. Angles from the step need no unwrapping.
       const bool step_starts_quadrant = step[0] * segment.line.a - step[1] * segment.line.b > 0;
       const double angle = angles[std::size_t(k < 0 ? k + cover.size() : k)];

@@ -1,11 +1,12 @@
 #pragma once
 
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <bit>
 #include <numeric>
+
+#include "shapes/base/parallel.hpp"
 
 namespace gridstep {
 namespace detail {
@@ -169,7 +170,7 @@ std::vector<Sum> convolve(const ShapeFunctor& f, const Kernel<d, Weight>& kernel
   });
 
   std::vector<Sum> result(points.size());
-  tbb::parallel_for(std::size_t{0}, block_begin.size() - 1, [&](std::size_t b) {
+  const auto evaluate_block = [&](std::size_t b) {
     Scratch& scratch = scratches.local();
     const std::span members(order.data() + block_begin[b], block_begin[b + 1] - block_begin[b]);
     scratch.points.clear();
@@ -203,6 +204,9 @@ std::vector<Sum> convolve(const ShapeFunctor& f, const Kernel<d, Weight>& kernel
       detail::accumulate(sum, at(scratch.points[point]), mask);
       scratch.work.cells_visited += std::int64_t(mask.distance.size());
     }
+  };
+  parallel_chunks(block_begin.size() - 1, 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t b = begin; b != end; ++b) evaluate_block(b);
   });
   if (work)
     for (const Scratch& scratch : scratches) {

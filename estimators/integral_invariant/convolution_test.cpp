@@ -311,7 +311,7 @@ TEST(Evaluation, IsNamed) {
     parse_evaluation("fast");
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_STREQ(error.what(), "unknown evaluation 'fast'; known: full, masks");
+    EXPECT_STREQ(error.what(), "unknown evaluation 'fast'; known: full, masks, bricks");
   }
 }
 

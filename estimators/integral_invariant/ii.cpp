@@ -10,8 +10,7 @@ namespace {
 
 /// Curvature (2D) or mean curvature (3D) from the measure h^d n of the digital set in the ball.
 ///   Units  1/length, positive where the set is convex.
-///   Bound  sup error O(h^1/3) with R = k h^1/3 for convex shapes with C^3 boundary [Coeurjolly, Lachaud,
-///   Levallois,
+///   Bound  sup error O(h^1/3) with R = k h^1/3 for convex shapes with C^3 boundary [Coeurjolly, Lachaud, Levallois,
 ///          CVIU 2014, theorems 1 and 2].
 ///   Cost   see Evaluation.
 template <int d>

@@ -91,7 +91,7 @@ TEST_P(ReferenceDump3d, SumsAreEqualAndCurvaturesAgree) {
   }
 }
 
-const auto kStrategies = testing::Values(Evaluation::full, Evaluation::masks);
+const auto kStrategies = testing::Values(Evaluation::full, Evaluation::masks, Evaluation::bricks);
 const auto kName = [](const auto& info) {
   std::string name = std::string(std::get<0>(info.param).file) + "_" + to_string(std::get<1>(info.param));
   std::replace_if(

@@ -93,9 +93,8 @@ inline constexpr double slope_resolution = 0.01;
 ///   undecided       fewer than `fewest_levels` levels, or an error that is exactly zero
 ///   not converging  interval <= no_convergence
 ///   faster          interval above expected by more than slope_resolution
-///   slower          interval below expected by more than slope_resolution; if it reaches below
-///   no_convergence, that
-///                   there is convergence at all is not shown either
+///   slower          interval below expected by more than slope_resolution; if it reaches below no_convergence,
+///                   that there is convergence at all is not shown either
 ///   consistent      interval around expected, above 0, and no wider than expected
 ///   undecided       interval around expected but reaching 0, or wider than expected: too wide to tell
 /// @throws ContractViolation unless expected > no_convergence.

@@ -78,7 +78,7 @@ std::vector<Estimation<d>> chosen(const Options& options, const std::optional<Eu
     radius_used |= variant.takes_radius;
     result.push_back({name, &variant, {}, {}, {}, 0, 0});
   }
-  if (R && !radius_used)
+  if ((options.has_radius || options.has_k) && !radius_used)
     throw InputError(fmt::format("--{}: estimator '{}' takes no radius", options.has_radius ? "radius" : "k",
                                  options.estimators.front()));
   return result;
@@ -256,19 +256,20 @@ void run_shape(const Options& options, const Shape<d>& shape) {
   }
 }
 
-/// All 2D estimators where none is named; without a radius, those that need none.
-std::vector<std::string> estimators_for_images(const Options& options, bool has_radius) {
-  if (!options.estimators.empty()) return options.estimators;
+/// For images, in pixels.
+constexpr double kDefaultRadius = 5;
+
+std::vector<std::string> all_2d_estimators() {
   std::vector<std::string> names;
   for (const EstimatorEntry& entry : estimator_catalogue())
-    if (entry.in_2d && (has_radius || !entry.in_2d->takes_radius)) names.push_back(entry.name);
+    if (entry.in_2d) names.push_back(entry.name);
   return names;
 }
 
 void run_image(Options options) {
   const GridStep h{options.h == 0 ? 1.0 : checked("--h", options.h)};
-  const std::optional<EuclideanLength> R = radius_of(options, h);
-  options.estimators = estimators_for_images(options, R.has_value());
+  const EuclideanLength R = radius_of(options, h).value_or(EuclideanLength{kDefaultRadius * h.value});
+  if (options.estimators.empty()) options.estimators = all_2d_estimators();
   std::vector<Estimation<2>> estimations = chosen<2>(options, R);
   const GreyImage image = read_image(options.image);
   if (options.threshold.empty()) {
@@ -285,7 +286,7 @@ void run_image(Options options) {
   const std::unique_ptr<OutputFile> csv = open_csv(options);
   const DigitalSet<2> set = threshold(image, options.threshold[0], options.threshold[1]);
   const DigitalSurface<2> contours = connected_boundary(set);
-  evaluate<2>(estimations, set, contours.surfels, h, R.value_or(EuclideanLength{0}), options);
+  evaluate<2>(estimations, set, contours.surfels, h, R, options);
   if (csv) write_csv<2>(*csv, estimations, contours.surfels, h, contours.component_begin, {});
 
   std::FILE* out = summary_stream(options);
@@ -329,10 +330,12 @@ void add_estimate_command(CLI::App& program) {
                    "One or several: NAME,NAME; see gridstep list estimators (default for images: all)")
       ->delimiter(',');
   auto* radius =
-      command->add_option("--radius", options->radius, "Kernel radius R, in the unit of the shape");
+      command->add_option("--radius", options->radius,
+                          "Kernel radius R, in the unit of the shape (default for images: 5 pixels)");
   auto* k = command->add_option("--k", options->k, "R = K h^ALPHA")->excludes(radius);
   command->add_option("--alpha", options->alpha, "Exponent of h in R (default: 1/3)")->needs(k);
-  command->add_option("--evaluation", options->evaluation, "masks (default) or full; the sums are the same");
+  command->add_option("--evaluation", options->evaluation,
+                      "masks (default), full or bricks; the sums are the same");
   command->add_option("--centre", options->centre,
                       "Kernel centres: spels (default; mean of inner and outer) or surfel");
   command->add_option("--shift", options->shift, "Sub-grid shift of the shape, in cells: X,Y[,Z]")

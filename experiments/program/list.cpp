@@ -43,13 +43,24 @@ ordered_json quantities_json(const std::optional<EstimatorEntry::Variant<d>>& va
   return names;
 }
 
+bool takes_radius(const EstimatorEntry& entry) {
+  return entry.in_2d ? entry.in_2d->takes_radius : entry.in_3d->takes_radius;
+}
+
+const char* values_at(const EstimatorEntry& entry) {
+  return entry.in_2d && entry.in_2d->position == ValuePosition::start_pointel ? "start pointel"
+                                                                              : "surfel centre";
+}
+
 ordered_json estimators_json() {
   ordered_json result = ordered_json::array();
   for (const EstimatorEntry& entry : estimator_catalogue())
     result.push_back({{"name", entry.name},
                       {"summary", entry.summary},
                       {"quantities_2d", quantities_json(entry.in_2d)},
-                      {"quantities_3d", quantities_json(entry.in_3d)}});
+                      {"quantities_3d", quantities_json(entry.in_3d)},
+                      {"takes_radius", takes_radius(entry)},
+                      {"values_at", values_at(entry)}});
   return result;
 }
 
@@ -79,15 +90,17 @@ void print_shapes() {
 void print_estimators() {
   fmt::print("Estimators\n");
   for (const EstimatorEntry& entry : estimator_catalogue()) {
-    fmt::print("  {:<14} {}\n", entry.name, entry.summary);
+    fmt::print("  {:<18} {}\n", entry.name, entry.summary);
     const auto print_quantities = [](const char* dimension, const auto& variant) {
       if (!variant) return;
       std::string names;
       for (const Quantity& quantity : variant->quantities) names += " " + quantity.name;
-      fmt::print("  {:<14}   {}:{}\n", "", dimension, names);
+      fmt::print("  {:<18}   {}:{}\n", "", dimension, names);
     };
     print_quantities("2D", entry.in_2d);
     print_quantities("3D", entry.in_3d);
+    fmt::print("  {:<18}   {}, values at the {}\n", "", takes_radius(entry) ? "takes a radius" : "no radius",
+               values_at(entry));
   }
 }
 

@@ -35,6 +35,14 @@ int main(int argc, char** argv) {
     return 0;
   } catch (const CLI::Success& request) {  // --help, --version
     return program.exit(request);
+  } catch (const CLI::ExtrasError& error) {
+    const std::vector<std::string> extras = program.remaining();
+    const bool is_command =
+        program.get_subcommands().empty() && !extras.empty() && !extras[0].starts_with('-');
+    fmt::print(stderr, "gridstep: {}\n",
+               is_command ? fmt::format("unknown command '{}'; known: list, study, estimate", extras[0])
+                          : fmt::format("{} (see gridstep --help)", error.what()));
+    return 2;
   } catch (const CLI::ParseError& error) {
     fmt::print(stderr, "gridstep: {} (see gridstep --help)\n", error.what());
     return 2;

@@ -15,7 +15,7 @@ using std::numbers::pi;
 class AcceleratedFlower final : public PolarCurve {
  public:
   AcceleratedFlower(const RealPoint<2>& centre, double radius, double amplitude, double petals)
-      : PolarCurve(centre, bounds(radius, amplitude, petals)),
+      : PolarCurve(centre, bounds(radius, amplitude, 2 * petals / (pi * pi), pi)),
         radius_(radius),
         amplitude_(amplitude),
         rate_(2 * petals / (pi * pi)) {}
@@ -28,10 +28,14 @@ class AcceleratedFlower final : public PolarCurve {
     const double c = amplitude_ * std::cos(u), s = amplitude_ * std::sin(u);
     return {radius_ + c, -s * first, -c * first * first - s * second};
   }
+  double sharpest_around(double t, double reach, const PolarRadius&) const override {
+    return bounds(radius_, amplitude_, rate_, std::min(std::abs(t) + reach, pi)).sharpest;
+  }
 
  private:
-  static Bounds bounds(double radius, double amplitude, double petals) {
-    const double first = 6 * petals, second = 12 * petals / pi;  // of the phase, largest at t = pi
+  /// For |t| <= limit: the derivatives of the phase grow with |t|.
+  static Bounds bounds(double radius, double amplitude, double rate, double limit) {
+    const double first = 3 * rate * limit * limit, second = 6 * rate * limit;
     return {radius - amplitude, radius + amplitude, amplitude * first, amplitude * (first * first + second)};
   }
 

@@ -3,6 +3,7 @@
 #include <numeric>
 
 #include "shapes/analytic/shape.hpp"
+#include "shapes/base/affine_model.hpp"
 
 namespace gridstep {
 
@@ -16,16 +17,10 @@ class Ball final : public Shape<d> {
   RealBox<d> local_bounds() const override {
     return {RealPoint<d>::Constant(-radius_), RealPoint<d>::Constant(radius_)};
   }
-  Side local_side(const RealBox<d>& box) const override {
-    double nearest = 0, farthest = 0;  // squared distances, summed in the order of inside()
-    for (int k = 0; k < d; ++k) {
-      const double lo = box.min()[k], hi = box.max()[k];
-      const double near = lo > 0 ? lo : hi < 0 ? hi : 0.0, far = -lo > hi ? lo : hi;
-      nearest += near * near;
-      farthest += far * far;
-    }
-    const double limit = radius_ * radius_;
-    return farthest <= limit ? Side::inside : nearest > limit ? Side::outside : Side::crossing;
+  AffineBound<d> local_bound(const RealBox<d>& box) const override {
+    AffineModel<d> squared;
+    for (const AffineModel<d>& x : AffineModel<d>::variables(box)) squared = squared + square(x);
+    return bound_of(squared - AffineModel<d>(radius_ * radius_), box);
   }
   std::uint64_t local_inside(std::span<const RealPoint<d>> points) const override {
     std::uint64_t result = 0;

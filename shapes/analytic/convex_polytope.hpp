@@ -22,19 +22,11 @@ class ConvexPolytope final : public Shape<d> {
  protected:
   RealBox<d> local_bounds() const override { return bounds_; }
 
-  Side local_side(const RealBox<d>& box) const override {
-    Side result = Side::inside;
-    for (const Face& face : faces_) {
-      double least = 0, greatest = 0;  // summed in the order of inside()
-      for (int k = 0; k < d; ++k) {
-        const double a = face.normal[k] * box.min()[k], b = face.normal[k] * box.max()[k];
-        least += std::min(a, b);
-        greatest += std::max(a, b);
-      }
-      if (least > face.offset) return Side::outside;
-      if (greatest > face.offset) result = Side::crossing;
-    }
-    return result;
+  AffineBound<d> local_bound(const RealBox<d>& box) const override {
+    AffineBound<d> bound = AffineBound<d>::constant(Side::inside);
+    for (const Face& face : faces_)
+      bound = intersection(bound, half_space_bound<d>(face.normal, face.offset, box), box);
+    return bound;
   }
 
   std::uint64_t local_inside(std::span<const RealPoint<d>> points) const override {

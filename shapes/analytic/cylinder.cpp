@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "shapes/analytic/catalogue.hpp"
+#include "shapes/base/affine_model.hpp"
 
 namespace gridstep {
 
@@ -17,18 +18,12 @@ class Cylinder final : public Shape<3> {
     const RealPoint<3> corner(radius_, radius_, half_height_);
     return {-corner, corner};
   }
-  Side local_side(const RealBox<3>& box) const override {
-    if (box.min()[2] > half_height_ || box.max()[2] < -half_height_) return Side::outside;
-    double nearest = 0, farthest = 0;
-    for (int k = 0; k < 2; ++k) {
-      const double lo = box.min()[k], hi = box.max()[k];
-      const double near = lo > 0 ? lo : hi < 0 ? hi : 0.0, far = -lo > hi ? lo : hi;
-      nearest += near * near;
-      farthest += far * far;
-    }
-    if (nearest > radius_ * radius_) return Side::outside;
-    const bool between_caps = box.min()[2] >= -half_height_ && box.max()[2] <= half_height_;
-    return between_caps && farthest <= radius_ * radius_ ? Side::inside : Side::crossing;
+  AffineBound<3> local_bound(const RealBox<3>& box) const override {
+    const auto [x, y, z] = AffineModel<3>::variables(box);
+    AffineBound<3> bound = bound_of(square(x) + square(y) - AffineModel<3>(radius_ * radius_), box);
+    for (const double sign : {-1.0, 1.0})
+      bound = intersection(bound, half_space_bound<3>(sign * RealPoint<3>::UnitZ(), half_height_, box), box);
+    return bound;
   }
   std::uint64_t local_inside(std::span<const RealPoint<3>> points) const override {
     std::uint64_t result = 0;

@@ -49,6 +49,19 @@ class Formula::Parser {
     ++at_;
     return true;
   }
+  /// Appends an operation, or its value where both operands are constants written next to each other.
+  Term emit_binary(Kind kind, const Term& left, const Term& right, int degree) {
+    std::vector<Operation>& all = formula_.operations_;
+    const auto is_last_but = [&](int n, const Term& term) {
+      return term.reg == int(all.size()) - 1 - n && all[std::size_t(term.reg)].kind == Kind::constant;
+    };
+    if (!is_last_but(1, left) || !is_last_but(0, right)) return emit({kind, left.reg, right.reg}, degree);
+    const double b = all.back().number;
+    all.pop_back();
+    double& a = all.back().number;
+    a = kind == Kind::sum ? a + b : kind == Kind::difference ? a - b : a * b;
+    return {int(all.size()) - 1, degree};
+  }
   Term emit(Operation operation, int degree) {
     if (degree > kMaxDegree) fail(fmt::format("a degree of at most {} before", kMaxDegree));
     if (formula_.operations_.size() >= kMaxOperations)
@@ -63,8 +76,8 @@ class Formula::Parser {
       const bool plus = accept('+');
       if (!plus && !accept('-')) return left;
       const Term right = product();
-      left = emit({plus ? Kind::sum : Kind::difference, left.reg, right.reg},
-                  std::max(left.degree, right.degree));
+      left =
+          emit_binary(plus ? Kind::sum : Kind::difference, left, right, std::max(left.degree, right.degree));
     }
   }
   Term product() {
@@ -72,7 +85,7 @@ class Formula::Parser {
     while (true) {
       if (accept('*')) {
         const Term right = power();
-        left = emit({Kind::product, left.reg, right.reg}, left.degree + right.degree);
+        left = emit_binary(Kind::product, left, right, left.degree + right.degree);
       } else if (accept('/')) {
         const double divisor = number("a number to divide by");
         if (!std::isfinite(1 / divisor)) fail("a divisor other than 0 before");

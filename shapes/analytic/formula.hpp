@@ -28,7 +28,7 @@ class Formula {
   template <class Scalar>
   Scalar operator()(std::span<const Scalar> variables) const {
     thread_local std::vector<Scalar> r;
-    r.assign(operations_.size(), Scalar(0.0));
+    r.resize(operations_.size());
     for (std::size_t i = 0; i < operations_.size(); ++i) {
       const Operation& o = operations_[i];
       switch (o.kind) {

@@ -7,6 +7,7 @@
 
 #include "shapes/analytic/catalogue.hpp"
 #include "shapes/analytic/implicit_shape.hpp"
+#include "shapes/base/affine_model.hpp"
 #include "shapes/base/contracts.hpp"
 #include "shapes/base/random.hpp"
 
@@ -76,6 +77,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"x^0", [](double, double, double) { return 1.0; }, 1, 0},
                     Case{"x^1", [](double x, double, double) { return x; }, 1, 1},
                     Case{"((x))^2", [](double x, double, double) { return x * x; }, 1, 2},
+                    Case{"2*3+4*5-x", [](double x, double, double) { return 26 - x; }, 1, 1},
+                    Case{"(6*6-2*2)*x^0+2*y", [](double, double y, double) { return 32 + 2 * y; }, 2, 1},
                     Case{"1.5e-1*x + .25", [](double x, double, double) { return 0.15 * x + 0.25; }, 1, 1}));
 
 struct BadFormula {
@@ -176,6 +179,50 @@ TEST(FormulaProperties, IntervalsContainEveryComputedValue) {
       std::array<double, 3> magnitudes{std::abs(p[0]), std::abs(p[1]), std::abs(p[2])};
       ASSERT_LE(std::abs(value), formula.magnitude(magnitudes) * (1 + 1e-12)) << formula.text();
     }
+  }
+}
+
+TEST(FormulaProperties, AffineModelsHoldEveryComputedValue) {
+  RandomStream random{4};
+  double tightest = 1;
+  for (int trial = 0; trial < 3000; ++trial) {
+    const Formula formula(random_formula(random, 1 + trial % 3));
+    const RealPoint<3> lo = random_point(random);
+    const double width = 3 * std::exp2(-52 * random.uniform());  // down to a few units of the last place
+    RealBox<3> box(lo, lo);
+    for (int k = 0; k < 3; ++k) box.max()[k] += width * random.uniform();
+    const auto variables = AffineModel<3>::variables(box);
+    const AffineModel<3> model = formula(std::span<const AffineModel<3>>(variables));
+    for (int sample = 0; sample < 30; ++sample) {
+      std::array<double, 3> p;
+      long double affine = model.value;
+      for (int k = 0; k < 3; ++k) {
+        const double side = sample < 8 ? (sample >> k) & 1 : random.uniform();  // corners, then within
+        p[k] = side == 1 ? box.max()[k] : std::min(box.min()[k] + side * box.sizes()[k], box.max()[k]);
+        if (variables[k].slope[k] > 0)
+          affine += model.slope[k] *
+                    ((static_cast<long double>(p[k]) - variables[k].value) / variables[k].slope[k]);
+      }
+      const double off = double(std::abs(formula(std::span<const double>(p)) - affine));
+      ASSERT_LE(off, model.error) << formula.text();
+      if (off > 0) tightest = std::min(tightest, 1 - off / model.error);
+    }
+  }
+  EXPECT_LT(tightest, 0.01) << "errors are never reached: far too large";
+}
+
+TEST(FormulaProperties, TheErrorOfAnAffineModelShrinksWithTheSquareOfTheBox) {
+  RandomStream random{5};
+  const auto error = [](const Formula& formula, const RealPoint<3>& p, double reach) {
+    const auto variables = AffineModel<3>::variables({p.array() - reach, p.array() + reach});
+    return formula(std::span<const AffineModel<3>>(variables)).error;
+  };
+  for (int trial = 0; trial < 300; ++trial) {
+    const Formula formula(random_formula(random, 1 + trial % 3));
+    const RealPoint<3> p = random_point(random);
+    const std::array<double, 3> magnitudes{2, 2, 2};
+    EXPECT_LE(error(formula, p, 1e-4), error(formula, p, 1e-3) / 90 + 1e-11 * formula.magnitude(magnitudes))
+        << formula.text();
   }
 }
 

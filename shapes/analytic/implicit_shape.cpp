@@ -8,6 +8,8 @@
 #include <cmath>
 #include <vector>
 
+#include "shapes/base/affine_model.hpp"
+
 namespace gridstep {
 
 template <int d>
@@ -51,11 +53,16 @@ std::uint64_t ImplicitShape<d>::local_inside(std::span<const RealPoint<d>> point
 }
 
 template <int d>
-Side ImplicitShape<d>::local_side(const RealBox<d>& box) const {
-  if (!cut_) return side_of_polynomial(box);
-  if (!box_.intersects(box)) return Side::outside;
-  const Side side = side_of_polynomial(box);
-  return side == Side::inside && !box_.contains(box) ? Side::crossing : side;
+AffineBound<d> ImplicitShape<d>::local_bound(const RealBox<d>& box) const {
+  const std::array<AffineModel<d>, d> variables = AffineModel<d>::variables(box);
+  AffineBound<d> bound = bound_of(formula_(std::span<const AffineModel<d>>(variables)), box);
+  if (!cut_ || box_.contains(box)) return bound;
+  for (int k = 0; k < d; ++k)
+    for (const double sign : {-1.0, 1.0}) {
+      const double offset = sign < 0 ? -box_.min()[k] : box_.max()[k];
+      bound = intersection(bound, half_space_bound<d>(sign * RealPoint<d>::Unit(k), offset, box), box);
+    }
+  return bound;
 }
 
 /// The side of {f <= 0}, whatever the cut.

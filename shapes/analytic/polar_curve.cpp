@@ -27,22 +27,26 @@ RealBox<2> PolarCurve::local_bounds() const {
   return {RealPoint<2>::Constant(-bounds_.greatest), RealPoint<2>::Constant(bounds_.greatest)};
 }
 
-/// |p| - rho(arg p) has a gradient of norm sqrt(1 + (rho' / |p|)^2): a Lipschitz bound on every box that
-/// stays away from the origin. The slack covers the rounding of hypot, atan2 and rho.
-Side PolarCurve::local_side(const RealBox<2>& box) const {
+/// Taylor's formula for f(p) = |p| - rho(arg p) around the middle of the box. In the frame of the radius r and
+/// across it, grad f = (1, -rho'/r), and the Hessian is (0, rho'/r^2; rho'/r^2, 1/r - rho''/r^2).
+AffineBound<2> PolarCurve::local_bound(const RealBox<2>& box) const {
   const RealPoint<2> middle = box.center();
   const double reach = (box.max() - middle).cwiseMax(middle - box.min()).norm() * (1 + 1e-12);
-  const double distance = middle.norm(), nearest = distance - reach, slack = 1e-12 * bounds_.greatest;
-  if (nearest > bounds_.greatest + slack) return Side::outside;
-  if (distance + reach < bounds_.least - slack) return Side::inside;
-  if (!(nearest > 0)) return Side::crossing;
-  const PolarRadius r = radius_at(std::atan2(middle[1], middle[0]));
-  const double angular_reach = reach < distance ? std::asin(reach / distance) : pi;
-  const double steepest = std::min(bounds_.steepest, std::abs(r.first) + bounds_.sharpest * angular_reach);
-  const double lipschitz = std::hypot(1.0, steepest / nearest);
-  const double level = distance - r.rho;
-  if (level > lipschitz * reach + slack) return Side::outside;
-  return level < -lipschitz * reach - slack ? Side::inside : Side::crossing;
+  const double distance = middle.norm(), nearest = distance - reach;
+  // Of hypot, atan2 and rho, whose derivative amplifies the rounding of the angle.
+  const double slack = 1e-12 * bounds_.greatest + 1e-14 * bounds_.steepest;
+  if (nearest > bounds_.greatest + slack) return AffineBound<2>::constant(Side::outside);
+  if (distance + reach < bounds_.least - slack) return AffineBound<2>::constant(Side::inside);
+  if (!(nearest > 0)) return AffineBound<2>::constant(Side::crossing);
+  const double t = std::atan2(middle[1], middle[0]);
+  const double angular_reach = std::asin(reach / distance) * (1 + 1e-12);
+  const PolarRadius r = radius_at(t);
+  const double sharpest = sharpest_around(t, angular_reach, r) * (1 + 1e-12);
+  const double steepest = std::min(bounds_.steepest, std::abs(r.first) + sharpest * angular_reach);
+  const RealPoint<2> radial = middle / distance, across(-radial[1], radial[0]);
+  const double hessian = 1 / nearest + (sharpest + steepest) / (nearest * nearest);
+  return {middle, distance - r.rho, radial - (r.first / distance) * across,
+          hessian * reach * reach / 2 * (1 + 1e-12) + slack};
 }
 
 std::uint64_t PolarCurve::local_inside(std::span<const RealPoint<2>> points) const {

@@ -26,9 +26,14 @@ class PolarCurve : public Shape<2> {
   virtual PolarRadius radius_at(double t) const = 0;
   /// rho alone: what inside() compares with.
   virtual double rho(double t) const = 0;
+  /// A bound on |rho''| at the angles within `reach` of t in [-pi, pi], where the radius is `r`; a tight one
+  /// saves work.
+  virtual double sharpest_around(double /*t*/, double /*reach*/, const PolarRadius& /*r*/) const {
+    return bounds_.sharpest;
+  }
 
   RealBox<2> local_bounds() const override;
-  Side local_side(const RealBox<2>& box) const override;
+  AffineBound<2> local_bound(const RealBox<2>& box) const override;
   std::uint64_t local_inside(std::span<const RealPoint<2>> points) const override;
   std::optional<BoundaryPoint<2>> local_project(const RealPoint<2>& query, double within) const override;
 

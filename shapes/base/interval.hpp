@@ -6,9 +6,9 @@ namespace gridstep {
 
 /// Interval arithmetic in round-to-nearest. Since +, -, * and sqrt are monotone under rounding, the interval
 /// value of an expression contains every value that the same expression, evaluated in the same order, takes
-/// in doubles on the interval's points: what digitization needs is the sign of the *computed* predicate, not
-/// of the exact one. This holds for expressions without division by an interval and without contraction into
-/// fused operations.
+/// in doubles on the interval's points: it bounds the sign of the *computed* expression, not of the exact
+/// one. This holds for expressions without division by an interval and without contraction into fused
+/// operations.
 using Interval = boost::numeric::interval<
     double, boost::numeric::interval_lib::policies<boost::numeric::interval_lib::rounded_arith_exact<double>,
                                                    boost::numeric::interval_lib::checking_base<double>>>;

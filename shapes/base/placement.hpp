@@ -58,42 +58,62 @@ Eigen::Matrix<double, d, d> random_rotation(RandomStream& random) {
 template <int d>
 class PlacedRegion final : public Region<d> {
  public:
-  PlacedRegion(const Region<d>& region, Placement<d> placement, GridStep h)
-      : region_(region), placement_(std::move(placement)), h_(h) {}
+  PlacedRegion(const Region<d>& region, const Placement<d>& placement, GridStep h)
+      : region_(region),
+        shift_(h.value * placement.shift),
+        rotation_(placement.rotation),
+        rotated_(placement.rotated()) {}
 
   RealBox<d> bounds() const override {
     const RealBox<d> box = region_.bounds();
-    return image(box, [this](const RealPoint<d>& p) { return placement_.to_world(p, h_); });
+    if (!rotated_) return {box.min() + shift_, box.max() + shift_};
+    return turned(box, rotation_, RealPoint<d>::Zero(), shift_);
   }
-  Side side(const RealBox<d>& box) const override {
-    return region_.side(image(box, [this](const RealPoint<d>& p) { return placement_.to_shape(p, h_); }));
+  /// The function is turned with the region, so that a rotation costs no tightness to first order.
+  AffineBound<d> bound(const RealBox<d>& box) const override {
+    AffineBound<d> bound;
+    if (rotated_) {
+      bound = region_.bound(turned(box, rotation_.transpose(), shift_, RealPoint<d>::Zero()));
+      bound.centre = rotation_ * bound.centre;
+      bound.slope = rotation_ * bound.slope;
+    } else {
+      bound = region_.bound({box.min() - shift_, box.max() - shift_});
+    }
+    bound.centre += shift_;
+    bound.error += bound.rounding(greatest_coordinate(box) + shift_.norm());
+    return bound;
   }
+  /// At Placement::to_shape() of the points, bit for bit.
   std::uint64_t inside(std::span<const RealPoint<d>> points) const override {
     std::array<RealPoint<d>, 64> moved;
-    for (std::size_t i = 0; i < points.size(); ++i) moved[i] = placement_.to_shape(points[i], h_);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const RealPoint<d> q = points[i] - shift_;
+      if (rotated_)
+        moved[i] = rotation_.transpose() * q;
+      else
+        moved[i] = q;
+    }
     return region_.inside({moved.data(), points.size()});
   }
 
  private:
-  /// A box around the image of a box. A translation is monotone under rounding; a rotation is not, so its
-  /// image is widened by far more than the rounding of one matrix product.
-  template <class Motion>
-  RealBox<d> image(const RealBox<d>& box, Motion motion) const {
-    if (!placement_.rotated()) return {motion(box.min()), motion(box.max())};
-    RealBox<d> result;
-    double largest = 0;
-    for (int c = 0; c < (1 << d); ++c) {
-      const RealPoint<d> corner = box.corner(typename RealBox<d>::CornerType(c));
-      largest = std::max(largest, corner.template lpNorm<Eigen::Infinity>());
-      result.extend(motion(corner));
-    }
-    const double slack = 1e-14 * (largest + h_.value * placement_.shift.norm());
-    return {result.min().array() - slack, result.max().array() + slack};
+  using Matrix = Eigen::Matrix<double, d, d>;
+
+  /// A box around the image of a box under x -> matrix (x - before) + after. A rotation is not monotone under
+  /// rounding: the image is widened by far more than the rounding of a matrix product.
+  static RealBox<d> turned(const RealBox<d>& box, const Matrix& matrix, const RealPoint<d>& before,
+                           const RealPoint<d>& after) {
+    const RealPoint<d> image = matrix * (box.center() - before) + after;
+    const double slack =
+        1e-14 * (greatest_coordinate(box) + before.template lpNorm<1>() + after.template lpNorm<1>());
+    const RealPoint<d> reach = (matrix.cwiseAbs() * (box.sizes() / 2)).array() + slack;
+    return {image - reach, image + reach};
   }
 
   const Region<d>& region_;
-  Placement<d> placement_;
-  GridStep h_;
+  RealPoint<d> shift_;
+  Matrix rotation_;
+  bool rotated_;
 };
 
 }  // namespace gridstep

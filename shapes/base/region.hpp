@@ -4,15 +4,9 @@
 #include <cstdint>
 #include <span>
 
-#include "shapes/base/lattice.hpp"
+#include "shapes/base/affine_bound.hpp"
 
 namespace gridstep {
-
-template <int d>
-using RealBox = Eigen::AlignedBox<double, d>;
-
-/// Where a box lies with respect to a region. `crossing` also stands for "not decided".
-enum class Side { inside, outside, crossing };
 
 /// A closed bounded region of R^d, as far as digitization needs to know it. Thread-safe: all members are
 /// const.
@@ -24,8 +18,12 @@ class Region {
   /// A box that contains the region.
   virtual RealBox<d> bounds() const = 0;
 
+  /// What is known of inside() over a box. Digitization calls for O(h^-(d-1)) points and boxes where the
+  /// error shrinks with the square of the box; small enough boxes may stay undecided.
+  virtual AffineBound<d> bound(const RealBox<d>& box) const = 0;
+
   /// Conservative: `inside` (`outside`) only where inside() is true (false) at every double point of the box.
-  virtual Side side(const RealBox<d>& box) const = 0;
+  Side side(const RealBox<d>& box) const { return bound(box).side(box); }
 
   /// Closed membership of up to 64 points; bit i belongs to points[i].
   virtual std::uint64_t inside(std::span<const RealPoint<d>> points) const = 0;

@@ -2,14 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace gridstep {
-
-namespace {
-
-template <int d>
-constexpr int kBricksInPage = 1 << (d * DigitalSet<d>::kPageShift);
-
-}  // namespace
 
 template <int d>
 DigitalSet<d>::DigitalSet(const LatticeBox<d>& domain) {
@@ -59,7 +54,7 @@ std::int32_t DigitalSet<d>::page_state(const LatticePoint<d>& page) const {
 template <int d>
 std::int32_t DigitalSet<d>::state(const LatticePoint<d>& brick) const {
   const std::int32_t page = page_state(page_of(brick));
-  return page < 0 ? page : slots_[std::size_t(page) * kBricksInPage<d> + std::size_t(index_in_page(brick))];
+  return page < 0 ? page : slots_[std::size_t(page) * kBricksInPage + std::size_t(index_in_page(brick))];
 }
 
 template <int d>
@@ -81,20 +76,20 @@ std::int32_t& DigitalSet<d>::slot(const LatticePoint<d>& brick) {
   std::int32_t& page = top_[std::size_t(index)];
   if (page < 0) {
     const std::int32_t uniform = page;
-    page = std::int32_t(slots_.size() / kBricksInPage<d>);
-    slots_.resize(slots_.size() + kBricksInPage<d>, uniform);
+    page = std::int32_t(slots_.size() / kBricksInPage);
+    slots_.resize(slots_.size() + kBricksInPage, uniform);
   }
-  return slots_[std::size_t(page) * kBricksInPage<d> + std::size_t(index_in_page(brick))];
+  return slots_[std::size_t(page) * kBricksInPage + std::size_t(index_in_page(brick))];
 }
 
 template <int d>
 void DigitalSet<d>::set_brick(const LatticePoint<d>& brick, const Brick<d>& bits) {
   std::int32_t& s = slot(brick);
-  const int count = bits.count();
+  const bool empty = bits == Brick<d>{};
   if (s >= 0)
     bricks_[std::size_t(s)] = bits;  // keeps its place, even where it became uniform
-  else if (count == 0 || count == Brick<d>::kBits)
-    s = count == 0 ? kEmpty : kFull;
+  else if (empty || bits == Brick<d>::full())
+    s = empty ? kEmpty : kFull;
   else {
     s = std::int32_t(bricks_.size());
     bricks_.push_back(bits);
@@ -110,6 +105,20 @@ void DigitalSet<d>::set_page(const LatticePoint<d>& page, std::int32_t state) {
 }
 
 template <int d>
+void DigitalSet<d>::set_page(const LatticePoint<d>& page, std::span<const std::int32_t> states,
+                             std::span<const Brick<d>> bricks) {
+  const std::int64_t index = page_index(page);
+  expects(index >= 0 && top_[std::size_t(index)] < 0, "a page inside the domain that is not stored");
+  expects(states.size() == kBricksInPage, "a state for each brick of a page");
+  top_[std::size_t(index)] = std::int32_t(slots_.size() / kBricksInPage);
+  const auto before = std::int32_t(bricks_.size());
+  slots_.resize(slots_.size() + kBricksInPage);
+  std::transform(states.begin(), states.end(), slots_.end() - kBricksInPage,
+                 [&](std::int32_t state) { return state < 0 ? state : before + state; });
+  bricks_.insert(bricks_.end(), bricks.begin(), bricks.end());
+}
+
+template <int d>
 void DigitalSet<d>::set(const LatticePoint<d>& z, bool value) {
   const LatticePoint<d> b = Brick<d>::of(z);
   Brick<d> bits = brick(b);
@@ -121,7 +130,7 @@ template <int d>
 std::int64_t DigitalSet<d>::size() const {
   std::int64_t result = 0;
   for (const std::int32_t page : top_)
-    if (page == kFull) result += std::int64_t{kBricksInPage<d>} * Brick<d>::kBits;
+    if (page == kFull) result += std::int64_t{kBricksInPage} * Brick<d>::kBits;
   for (const std::int32_t s : slots_)
     if (s == kFull) result += Brick<d>::kBits;
   for (const Brick<d>& brick : bricks_) result += brick.count();

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "shapes/base/contracts.hpp"
@@ -20,6 +21,7 @@ class DigitalSet {
  public:
   static constexpr int kPageShift = d == 2 ? 5 : 3;  ///< log2 of the bricks in a page, per direction
   static constexpr int kPageSide = 1 << kPageShift;
+  static constexpr int kBricksInPage = 1 << (d * kPageShift);
   static constexpr std::int32_t kEmpty = -1, kFull = -2;  ///< states of a brick or page that is not stored
 
   /// The empty set over a domain, which is enlarged to whole pages.
@@ -44,13 +46,19 @@ class DigitalSet {
   void set_brick(const LatticePoint<d>& brick, const Brick<d>& bits);
   std::int32_t page_state(const LatticePoint<d>& page) const;
   void set_page(const LatticePoint<d>& page, std::int32_t state);
+  /// Stores a page at once: for each of its bricks in raster order, kEmpty, kFull, or the number of its bits in
+  /// `bricks`. The page must not be stored yet.
+  void set_page(const LatticePoint<d>& page, std::span<const std::int32_t> states,
+                std::span<const Brick<d>> bricks);
+
+  /// The number of a brick in its page.
+  static int index_in_page(const LatticePoint<d>& brick);
 
   /// Bytes held.
   std::size_t memory() const;
 
  private:
   std::int64_t page_index(const LatticePoint<d>& page) const;
-  static int index_in_page(const LatticePoint<d>& brick);
   static LatticePoint<d> page_of(const LatticePoint<d>& brick);
   std::int32_t& slot(const LatticePoint<d>& brick);
 

@@ -131,6 +131,37 @@ TYPED_TEST(DigitalSets, UniformPagesAndBricksAreNotStored) {
   EXPECT_EQ(set.brick(Brick<d>::of(hole)), Brick<d>::full());
 }
 
+TYPED_TEST(DigitalSets, APageStoredAtOnceIsThatOfItsBricks) {
+  constexpr int d = TypeParam::value;
+  using Set = DigitalSet<d>;
+  RandomStream random{6};
+  const LatticeBox<d> box{LatticePoint<d>::Constant(-300), LatticePoint<d>::Constant(300)};
+  Set one_by_one(box), at_once(box);
+  for (const LatticePoint<d>& page : {one_by_one.page_box().lo, one_by_one.page_box().hi}) {
+    const LatticePoint<d> first = page * Set::kPageSide;
+    std::vector<std::int32_t> states;
+    std::vector<Brick<d>> bricks;
+    for_each_point(LatticeBox<d>{first, first.array() + (Set::kPageSide - 1)}, [&](const LatticePoint<d>& b) {
+      EXPECT_EQ(Set::index_in_page(b), int(states.size())) << "not in raster order";
+      const auto kind = random.below(3);
+      Brick<d> bits = kind == 0 ? Brick<d>{} : Brick<d>::full();
+      if (kind == 2) bits.words[random.below(8)] = 5;
+      states.push_back(kind == 0 ? Set::kEmpty : kind == 1 ? Set::kFull : std::int32_t(bricks.size()));
+      if (kind == 2) bricks.push_back(bits);
+      one_by_one.set_brick(b, bits);
+    });
+    at_once.set_page(page, states, bricks);
+    EXPECT_THROW(at_once.set_page(page, states, bricks), ContractViolation) << "a page stored twice";
+  }
+  for_each_point(one_by_one.brick_box(), [&](const LatticePoint<d>& b) {
+    ASSERT_EQ(at_once.state(b), one_by_one.state(b));
+    ASSERT_EQ(at_once.brick(b), one_by_one.brick(b));
+  });
+  EXPECT_EQ(at_once.size(), one_by_one.size());
+  const std::vector<std::int32_t> too_few(7, Set::kFull);
+  EXPECT_THROW(at_once.set_page(one_by_one.page_box().lo.array() + 1, too_few, {}), ContractViolation);
+}
+
 TYPED_TEST(DigitalSets, BorderBricksHoldAllPointsWithNeighboursOutside) {
   constexpr int d = TypeParam::value;
   RandomStream random{4};

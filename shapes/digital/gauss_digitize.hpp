@@ -9,7 +9,7 @@ namespace gridstep {
 /// What a digitization cost, in calls to the region.
 struct DigitizationWork {
   std::int64_t points = 0;  ///< points whose membership was computed
-  std::int64_t boxes = 0;   ///< boxes whose side was bounded
+  std::int64_t boxes = 0;   ///< boxes over which the region was bounded
 };
 
 /// The digital points that can lie in a region at step h.
@@ -19,10 +19,10 @@ LatticeBox<d> digital_bounds(const Region<d>& region, GridStep h);
 
 /// Gauss digitization: the points z of Z^d with h z in the region (closed).
 ///
-/// Recurses on boxes; those that Region::side proves inside or outside are never sampled, bricks that may be
-/// cut are sampled point by point. Equal, bit for bit, to sampling every point; O(h^-(d-1)) calls where
-/// side() is tight to first order. Runs on all threads of the current arena; the result does not depend on
-/// their number.
+/// Recurses on boxes down to those where the error of Region::bound is below half a cell, or of 4^d points;
+/// only the points that a bound leaves open are sampled. Equal, bit for bit, to sampling every point;
+/// O(h^-(d-1)) calls where the error of the bounds shrinks with the square of the box: about one a surfel at
+/// fine steps. Runs on all threads of the current arena; the result does not depend on their number.
 template <int d>
 DigitalSet<d> gauss_digitize(const Region<d>& region, GridStep h, DigitizationWork* work = nullptr);
 

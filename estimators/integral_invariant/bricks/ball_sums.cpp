@@ -1,11 +1,10 @@
 #include "estimators/integral_invariant/bricks/ball_sums.hpp"
 
-#include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
 
 #include "estimators/integral_invariant/bricks/half_row_sums.hpp"
 #include "estimators/integral_invariant/bricks/targets.hpp"
+#include "shapes/base/parallel.hpp"
 
 namespace gridstep::bricks {
 
@@ -61,9 +60,9 @@ std::vector<Sum> BallSums<d, Sum>::eval(const DigitalSet<d>& set, const SpelsByB
   };
   tbb::enumerable_thread_specific<Scratch> scratches;
   constexpr std::size_t kGrain = 16;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, sources.size(), kGrain), [&](const auto& range) {
+  parallel_chunks(sources.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     auto& [lists, visited] = scratches.local();
-    for (std::size_t i = range.begin(); i < range.end(); ++i) {
+    for (std::size_t i = begin; i != end; ++i) {
       const auto& source = sources[i];
       lists.build(ball, rows, source.brick);
       const LatticePoint<d> origin = Brick<d>::origin(source.brick);
