@@ -54,6 +54,17 @@ TEST_P(OnTarget, BrickSumsEqualTheFullKernelForLargeBalls) {
   }
 }
 
+TEST_P(OnTarget, BrickSumsOfNearlyFullBricksFitTheirCounters) {
+  // Every brick is mixed and has as many points as it may: a hole each.
+  DigitalSet<3> set({LatticePoint<3>::Constant(-48), LatticePoint<3>::Constant(55)});
+  for_each_point(set.domain(), [&](const LatticePoint<3>& z) {
+    if (z != Brick<3>::origin(Brick<3>::of(z))) set.set(z, true);
+  });
+  const RandomCase<3> one{std::move(set), {40}, -1, {{0, 0, 0}, {4, 3, 7}, {7, 7, 7}}, ""};
+  EXPECT_EQ((differences<Count3>(one)), 0);
+  EXPECT_EQ((differences<Moments3>(one)), 0);
+}
+
 /// All points of a box of whole pages: no brick is stored.
 template <int d>
 DigitalSet<d> full_pages(int pages) {

@@ -1,15 +1,5 @@
 // The number of points that a ball cuts out of M and F. Included once for each instruction set.
 
-#if defined(GRIDSTEP_SIMD_COUNTS) == defined(HWY_TARGET_TOGGLE)
-#ifdef GRIDSTEP_SIMD_COUNTS
-#undef GRIDSTEP_SIMD_COUNTS
-#else
-#define GRIDSTEP_SIMD_COUNTS
-#endif
-
-#include "estimators/integral_invariant/bricks/simd_vectors.ipp"
-
-#if HWY_TARGET != HWY_SCALAR
 HWY_BEFORE_NAMESPACE();
 namespace gridstep::bricks::HWY_NAMESPACE {
 namespace {
@@ -18,7 +8,8 @@ template <class Masks>
 HWY_INLINE Words count_mixed(const std::vector<MixedBrick>& entries, const Lines<3>::Widths* widths,
                              Masks masks) {
   const ByteTag tag;
-  constexpr std::size_t kBatch = 31;  // entries whose counts a byte holds
+  constexpr std::size_t kParts = 64 / hn::MaxLanes(tag);
+  constexpr std::size_t kBatch = 255 / (8 * kParts);  // entries whose counts a byte holds
   Words total = hn::Zero(WordTag());
   for (std::size_t begin = 0; begin < entries.size(); begin += kBatch) {
     const std::size_t end = std::min(entries.size(), begin + kBatch);
@@ -133,6 +124,3 @@ Counts<2> count_2d(const SourceLists<2, Counts<2>>& lists, const AlignedBall<2>&
 }  // namespace
 }  // namespace gridstep::bricks::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
-#endif
-
-#endif

@@ -1,15 +1,5 @@
 // Ten moments of the points that a ball cuts out of M and F. Included once for each instruction set.
 
-#if defined(GRIDSTEP_SIMD_MOMENTS) == defined(HWY_TARGET_TOGGLE)
-#ifdef GRIDSTEP_SIMD_MOMENTS
-#undef GRIDSTEP_SIMD_MOMENTS
-#else
-#define GRIDSTEP_SIMD_MOMENTS
-#endif
-
-#include "estimators/integral_invariant/bricks/simd_vectors.ipp"
-
-#if HWY_TARGET != HWY_SCALAR
 HWY_BEFORE_NAMESPACE();
 namespace gridstep::bricks::HWY_NAMESPACE {
 namespace {
@@ -258,6 +248,3 @@ Moments moments_3d(const SourceLists<3, Moments>& lists, const AlignedBall<3>& b
 }  // namespace
 }  // namespace gridstep::bricks::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
-#endif
-
-#endif

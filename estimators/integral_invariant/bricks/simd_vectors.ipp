@@ -1,15 +1,5 @@
-// What the vector loops share; included once for each instruction set, hence the guard of Highway's own kind.
+// What the vector loops share. Included once for each instruction set.
 
-#if defined(GRIDSTEP_SIMD_VECTORS) == defined(HWY_TARGET_TOGGLE)
-#ifdef GRIDSTEP_SIMD_VECTORS
-#undef GRIDSTEP_SIMD_VECTORS
-#else
-#define GRIDSTEP_SIMD_VECTORS
-#endif
-
-#include <hwy/highway.h>
-
-#if HWY_TARGET != HWY_SCALAR
 HWY_BEFORE_NAMESPACE();
 namespace gridstep::bricks::HWY_NAMESPACE {
 namespace {
@@ -56,6 +46,3 @@ class ByteMasks {
 }  // namespace
 }  // namespace gridstep::bricks::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
-#endif
-
-#endif
