@@ -1,7 +1,7 @@
 #include "estimators/integral_invariant/bricks/ball_sums.hpp"
 
-#include "estimators/integral_invariant/bricks/cut_bricks.hpp"
 #include "estimators/integral_invariant/bricks/half_row_sums.hpp"
+#include "estimators/integral_invariant/bricks/targets.hpp"
 #include "shapes/base/parallel.hpp"
 
 namespace gridstep::bricks {
@@ -50,6 +50,7 @@ std::vector<Sum> BallSums<d, Sum>::eval(const DigitalSet<d>& set, const SpelsByB
     box.hi[k] += margin;
   }
   const BrickRows<d, Modular<Sum>> rows(set, box);
+  const Target& cut = target();
 
   struct Scratch {
     SourceLists<d, Modular<Sum>> lists;
@@ -69,7 +70,7 @@ std::vector<Sum> BallSums<d, Sum>::eval(const DigitalSet<d>& set, const SpelsByB
         sum.move(origin + Brick<d>::offset(bit));
         add(sum, half_rows.right(lists.right.half_rows, bit));
         add(sum, half_rows.left(lists.left.half_rows, bit));
-        add(sum, cut_sum(lists, ball, bit));
+        add(sum, cut.cut_sum(lists, AlignedBall<d>{&ball, bit}));
         result[position++] = to_signed(sum);
       });
       visited += std::int64_t(lists.size() * (position - source.begin));

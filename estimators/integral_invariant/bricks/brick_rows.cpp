@@ -87,8 +87,8 @@ BrickRows<d, Sum>::BrickRows(const DigitalSet<d>& set, const LatticeBox<d>& box)
   row_begin_.push_back(runs_.size());
 }
 
-template class BrickRows<2, PlainSum<2, std::uint64_t>>;
-template class BrickRows<3, PlainSum<3, std::uint64_t>>;
-template class BrickRows<3, MomentSums<3, std::uint64_t>>;
+template class BrickRows<2, Counts<2>>;
+template class BrickRows<3, Counts<3>>;
+template class BrickRows<3, Moments>;
 
 }  // namespace gridstep::bricks
