@@ -24,7 +24,7 @@ TYPED_TEST_SUITE(Boundaries, Dimensions);
 template <int d>
 DigitalSet<d> random_set(std::uint64_t seed) {
   RandomStream random{seed};
-  const int reach = 40 + int(random.below(40));
+  const int reach = 20 + int(random.below(40));
   const LatticeBox<d> box{LatticePoint<d>::Constant(-reach), LatticePoint<d>::Constant(reach)};
   DigitalSet<d> set(box);
   if (random.below(2) == 0) set.set_page(set.page_box().lo, DigitalSet<d>::kFull);
@@ -60,6 +60,7 @@ std::vector<Surfel<d>> plain_boundary(const DigitalSet<d>& set) {
     const LatticePoint<d> first = page * DigitalSet<d>::kPageSide;
     for_each_point(LatticeBox<d>{first, first.array() + (DigitalSet<d>::kPageSide - 1)},
                    [&](const LatticePoint<d>& brick) {
+                     if (set.state(brick) == DigitalSet<d>::kEmpty) return;
                      for (int axis = 0; axis < d; ++axis)
                        for (const int sign : {-1, +1})
                          for (int bit = 0; bit < Brick<d>::kBits; ++bit) {
