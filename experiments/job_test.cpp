@@ -10,7 +10,7 @@ namespace {
 Study solid() {
   return Study::read(nlohmann::json::parse(R"({"name": "solid", "sweeps": [{
     "shapes": ["torus:major=6,minor=2"], "estimators": ["ii", "ii-covariance"], "evaluations": ["masks", "bricks"],
-    "radii": [{"k": 1.5}], "schedule": {"values": [0.5]}, "shifts": 1}]})"),
+    "radii": [{"k": 1.5}], "schedule": {"values": [0.25]}, "shifts": 1}]})"),
                      "test.json");
 }
 
