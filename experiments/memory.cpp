@@ -40,8 +40,9 @@ double predicted_memory(const RealBox<d>& bounds, GridStep h, DigitalLength radi
   const double index = 4 * cells.prod() / page_cells;
 
   const double set = surfels * (for_each_surfel + bricks_for_each_surfel) + index;
-  // Half-widths for each line of the ball, and in 3D their prefix sums, for 64 alignments.
-  if (evaluation == Evaluation::bricks) return set + (d == 2 ? 256 * r : 1000 * r * r) + 0x1p16;
+  // Half-widths for each line of the ball and their prefix sums, for all alignments.
+  if (evaluation == Evaluation::bricks)
+    return set + (d == 2 ? 1200 * r : (moments ? 3000 : 500) * r * r) + 0x1p16;
   const double kernel = (d == 2 ? pi * r * r : 4 * pi / 3 * r * r * r) * 16;
   const double masks = evaluation == Evaluation::full ? 0 : (d == 2 ? 8 * 5 * r : 231 * r * r) * 16;
   const double dense_kernel = evaluation == Evaluation::full ? 0 : 8 * std::pow(2 * r + 5, d);

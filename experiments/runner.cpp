@@ -155,7 +155,7 @@ std::vector<Record> run_job(const Study& study, const Job& job, const Shape<d>& 
       record.digital_radius = to_digital(R, h).value;
     }
     const auto estimator =
-        variant.make(scene.set, {method.evaluation.value_or(Evaluation::masks), sweep.centre});
+        variant.make(scene.set, {method.evaluation.value_or(EstimatorOptions{}.evaluation), sweep.centre});
     Estimates estimates;
     record.seconds_init = timed(study.timing, [&] { estimator->init(h, R); });
     record.seconds_eval = timed(study.timing, [&] { estimates = estimator->eval(scene.surfels); });
@@ -186,7 +186,7 @@ void check_memory(const Sweep& sweep, const std::vector<AnyShape>& shapes) {
             const DigitalLength radius =
                 method.radius ? to_digital(method.radius->at(h), h) : DigitalLength{1};
             require_memory(predicted_memory<d>(shape->bounds(), h, radius, d == 3,
-                                               method.evaluation.value_or(Evaluation::masks), threads),
+                                               method.evaluation.value_or(EstimatorOptions{}.evaluation), threads),
                            fmt::format("{} at h = {:.6g}", sweep.shapes[i].canonical(), h.value));
           },
           shapes[i]);

@@ -26,7 +26,7 @@ namespace gridstep {
 namespace {
 
 struct Options {
-  std::string shape, image, evaluation = "masks", centre = "spels", csv;
+  std::string shape, image, evaluation = to_string(EstimatorOptions{}.evaluation), centre = "spels", csv;
   std::vector<std::string> estimators;
   double h = 0, radius = 0, k = 0, alpha = 1.0 / 3.0, noise = 0;
   std::vector<double> shift;
@@ -335,7 +335,7 @@ void add_estimate_command(CLI::App& program) {
   auto* k = command->add_option("--k", options->k, "R = K h^ALPHA")->excludes(radius);
   command->add_option("--alpha", options->alpha, "Exponent of h in R (default: 1/3)")->needs(k);
   command->add_option("--evaluation", options->evaluation,
-                      "masks (default), full or bricks; the sums are the same");
+                      "bricks (default), masks or full; the sums are the same");
   command->add_option("--centre", options->centre,
                       "Kernel centres: spels (default; mean of inner and outer) or surfel");
   command->add_option("--shift", options->shift, "Sub-grid shift of the shape, in cells: X,Y[,Z]")
