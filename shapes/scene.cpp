@@ -1,8 +1,6 @@
 #include "shapes/scene.hpp"
 
 #include <fmt/format.h>
-#include <tbb/enumerable_thread_specific.h>
-
 #include "shapes/base/parallel.hpp"
 #include "shapes/digital/kanungo_noise.hpp"
 
@@ -67,7 +65,7 @@ Truth truth_at(const Shape<d>& shape, const SceneSettings<d>& settings,
     std::int64_t singular = 0, far = 0;
     double worst_residual = 0;
   };
-  tbb::enumerable_thread_specific<Tally> tallies;
+  PerWorker<Tally> tallies;
   parallel_chunks(points.size(), 64, [&](std::size_t begin, std::size_t end) {
     Tally& tally = tallies.local();
     for (std::size_t i = begin; i != end; ++i) {
@@ -92,11 +90,11 @@ Truth truth_at(const Shape<d>& shape, const SceneSettings<d>& settings,
         truth.columns[q][i] = quantity_at<d>(*point, quantities[q]);
     }
   });
-  for (const Tally& tally : tallies) {
+  tallies.for_each([&](const Tally& tally) {
     truth.singular += tally.singular;
     truth.far += tally.far;
     truth.worst_residual = std::max(truth.worst_residual, tally.worst_residual);
-  }
+  });
   return truth;
 }
 

@@ -1,7 +1,5 @@
 #include "estimators/integral_invariant/bricks/ball_sums.hpp"
 
-#include <tbb/enumerable_thread_specific.h>
-
 #include "estimators/integral_invariant/bricks/half_row_sums.hpp"
 #include "estimators/integral_invariant/bricks/targets.hpp"
 #include "shapes/base/parallel.hpp"
@@ -60,7 +58,7 @@ std::vector<Sum> BallSums<d, Sum>::eval(const DigitalSet<d>& set, const SpelsByB
     std::vector<Modular<Sum>> sums;
     std::int64_t visited = 0;
   };
-  tbb::enumerable_thread_specific<Scratch> scratches;
+  PerWorker<Scratch> scratches;
   constexpr std::size_t kGrain = 16;
   parallel_chunks(sources.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     auto& [lists, bits, sums, visited] = scratches.local();
@@ -85,7 +83,7 @@ std::vector<Sum> BallSums<d, Sum>::eval(const DigitalSet<d>& set, const SpelsByB
   });
   if (work) {
     work->points += std::int64_t(spels.size());
-    for (const Scratch& scratch : scratches) work->cells_visited += scratch.visited;
+    scratches.for_each([&](const Scratch& scratch) { work->cells_visited += scratch.visited; });
   }
   return result;
 }
