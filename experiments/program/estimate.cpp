@@ -26,7 +26,7 @@ namespace gridstep {
 namespace {
 
 struct Options {
-  std::string shape, image, evaluation = "masks", centre = "spels", csv;
+  std::string shape, image, evaluation = to_string(EstimatorOptions{}.evaluation), centre = "spels", csv;
   std::vector<std::string> estimators;
   double h = 0, radius = 0, k = 0, alpha = 1.0 / 3.0, noise = 0;
   std::vector<double> shift;
@@ -209,8 +209,9 @@ void run_shape(const Options& options, const Shape<d>& shape) {
   for (const Estimation<d>& e : estimations) {
     bytes += surfels * predicted_surfel_memory(d == 3 && e.variant->quantities.size() > 1);
     if (R && e.variant->takes_radius)
-      tables = std::max(tables, predicted_table_memory<d>(to_digital(*R, h), evaluation,
-                                                          tbb::this_task_arena::max_concurrency()));
+      tables = std::max(
+          tables, predicted_table_memory<d>(to_digital(*R, h), d == 3 && e.variant->quantities.size() > 1,
+                                            evaluation, tbb::this_task_arena::max_concurrency()));
   }
   const double predicted = bytes + tables;
   require_memory(predicted, fmt::format("{} at h = {}", options.shape, h.value));
@@ -340,7 +341,7 @@ void add_estimate_command(CLI::App& program) {
   auto* k = command->add_option("--k", options->k, "R = K h^ALPHA")->excludes(radius);
   command->add_option("--alpha", options->alpha, "Exponent of h in R (default: 1/3)")->needs(k);
   command->add_option("--evaluation", options->evaluation,
-                      "masks (default), full or bricks; the sums are the same");
+                      "bricks (default), masks or full; the sums are the same");
   command->add_option("--centre", options->centre,
                       "Kernel centres: spels (default; mean of inner and outer) or surfel");
   command->add_option("--shift", options->shift, "Sub-grid shift of the shape, in cells: X,Y[,Z]")

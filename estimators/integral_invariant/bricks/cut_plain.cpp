@@ -49,10 +49,8 @@ Brick<d> cut(const MixedBrick& brick, LowLength low, HighLength high) {
   return result;
 }
 
-}  // namespace
-
 template <int d, class Sum>
-Sum cut_plain(const SourceLists<d, Sum>& lists, const AlignedBall<d>& ball) {
+Sum cut_sum(const SourceLists<d, Sum>& lists, const AlignedBall<d>& ball) {
   constexpr int kLength = Lines<d>::kLength;
   const Reach<d> reach(ball);
   const auto origin = [&](std::uint32_t row, int offset) {
@@ -95,8 +93,19 @@ Sum cut_plain(const SourceLists<d, Sum>& lists, const AlignedBall<d>& ball) {
   return sum;
 }
 
-template Counts<2> cut_plain(const SourceLists<2, Counts<2>>&, const AlignedBall<2>&);
-template Counts<3> cut_plain(const SourceLists<3, Counts<3>>&, const AlignedBall<3>&);
-template Moments cut_plain(const SourceLists<3, Moments>&, const AlignedBall<3>&);
+}  // namespace
+
+template <int d, class Sum>
+void cut_plain(const SourceLists<d, Sum>& lists, const BallRows<d>& ball, std::span<const std::uint16_t> bits,
+               Sum* sums) {
+  for (std::size_t i = 0; i < bits.size(); ++i) sums[i] = cut_sum(lists, AlignedBall<d>{&ball, bits[i]});
+}
+
+template void cut_plain(const SourceLists<2, Counts<2>>&, const BallRows<2>&, std::span<const std::uint16_t>,
+                        Counts<2>*);
+template void cut_plain(const SourceLists<3, Counts<3>>&, const BallRows<3>&, std::span<const std::uint16_t>,
+                        Counts<3>*);
+template void cut_plain(const SourceLists<3, Moments>&, const BallRows<3>&, std::span<const std::uint16_t>,
+                        Moments*);
 
 }  // namespace gridstep::bricks
