@@ -204,12 +204,16 @@ void run_shape(const Options& options, const Shape<d>& shape) {
   std::vector<Estimation<d>> estimations = chosen<d>(options, R);
   const Evaluation evaluation = parse_evaluation(options.evaluation);
   parse_kernel_centre(options.centre);
-  for (const Estimation<d>& e : estimations)
-    require_memory(predicted_memory<d>(shape.bounds(), h,
-                                       R && e.variant->takes_radius ? to_digital(*R, h) : DigitalLength{1},
-                                       d == 3 && e.variant->quantities.size() > 1, evaluation,
-                                       tbb::this_task_arena::max_concurrency()),
-                   fmt::format("{} at h = {}", options.shape, h.value));
+  const double surfels = predicted_surfels<d>(shape.bounds(), h);
+  double bytes = predicted_set_memory<d>(shape.bounds(), h), tables = 0;
+  for (const Estimation<d>& e : estimations) {
+    bytes += surfels * predicted_surfel_memory(d == 3 && e.variant->quantities.size() > 1);
+    if (R && e.variant->takes_radius)
+      tables = std::max(tables, predicted_table_memory<d>(to_digital(*R, h), evaluation,
+                                                          tbb::this_task_arena::max_concurrency()));
+  }
+  const double predicted = bytes + tables;
+  require_memory(predicted, fmt::format("{} at h = {}", options.shape, h.value));
   const std::unique_ptr<OutputFile> csv = open_csv(options);
 
   const Scene<d> scene = [&] {
@@ -254,6 +258,7 @@ void run_shape(const Options& options, const Shape<d>& shape) {
     }
     print_work(out, e, options, scene.surfels.size());
   }
+  fmt::print(out, "{}\n", memory_report(predicted, std::int64_t(scene.surfels.size())));
 }
 
 /// For images, in pixels.
