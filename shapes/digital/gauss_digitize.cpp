@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <vector>
 
 #include "shapes/base/parallel.hpp"
@@ -18,46 +17,39 @@ struct Decided {
   Brick<d> inside, open;
 };
 
-/// The n lowest bits, n <= 64.
-std::uint64_t lowest_bits(int n) {
-  return n == 0 ? 0 : ~std::uint64_t{0} >> (64 - n);
-}
+// Of GCC and Clang, on every processor: one operation on both numbers. GCC 12 finds no such form by itself.
+using TwoDoubles [[gnu::vector_size(16)]] = double;
+using TwoMasks [[gnu::vector_size(16)]] = std::int64_t;
 
-/// What a bound says of the points of a block within a brick: open are those within its error, and what exceeds
-/// the rounding here, of a zero. Along a row of points the bound is monotone: two places tell the row.
+/// What a bound says of the points of a block within a brick: open are those within its error, and what
+/// exceeds the rounding here, of a zero. Compares at eight points at once, one of each word.
 template <int d>
 Decided<d> decide(const LatticeBox<d>& block, const AffineBound<d>& bound, double h) {
   const LatticePoint<d> extent = block.extent();
   const RealPoint<d> first = h * block.lo.template cast<double>(), step = h * bound.slope;
+  const double margin =
+      bound.error + bound.rounding(greatest_coordinate<d>({first, h * block.hi.template cast<double>()}));
   const double at_first = bound.value + bound.slope.dot(first - bound.centre);
-  const double level = std::abs(at_first) + extent.template cast<double>().dot(step.cwiseAbs());
-  // An error without limit is as good as one beyond all levels, which can be calculated with.
-  const double margin = std::min(
-      bound.error + bound.rounding(greatest_coordinate<d>({first, h * block.hi.template cast<double>()})),
-      2 * level + std::numeric_limits<double>::min());
-  // A row whose bound hardly changes is given a slope that changes it by less than the rounding.
-  const double least = 1e-18 * (level + margin);
-  const double along = std::abs(step[0]) > least ? step[0] : least;
-  const double below = (-margin - at_first) / along, above = (margin - at_first) / along;
-  const double per_word = step[d - 1] / along, per_row = step[1] / along;
-  const std::uint64_t flip = along > 0 ? 0 : ~std::uint64_t{0};  // the inner points come last in a row
-
+  std::array<TwoDoubles, 4> level;  // of the words' first points
+  for (int w = 0; w < 8; ++w) level[w / 2][w % 2] = at_first + w * step[d - 1];
+  std::array<TwoMasks, 4> inside{}, outside{};
+  std::uint64_t all = 0;
+  for (int y = 0; y < (d == 3 ? extent[1] : 1); ++y)
+    for (int x = 0; x < extent[0]; ++x) {
+      const double rest = x * step[0] + y * step[1], low = -margin - rest, high = margin - rest;
+      const std::uint64_t bit = std::uint64_t{1} << (x + 8 * y);
+      for (int pair = 0; pair < 4; ++pair) {
+        inside[pair] |= (level[pair] < low) & std::int64_t(bit);
+        outside[pair] |= (level[pair] > high) & std::int64_t(bit);
+      }
+      all |= bit;
+    }
   const int corner = Brick<d>::bit(block.lo), first_word = corner >> 6, shift = corner & 63;
-  const std::uint64_t row = lowest_bits(extent[0]);
   Decided<d> result;
   for (int w = 0; w < extent[d - 1]; ++w) {
-    std::uint64_t inside = 0, open = 0;
-    for (int y = 0; y < (d == 3 ? extent[1] : 1); ++y) {
-      const double passed = w * per_word + y * per_row;
-      const auto points_up_to = [&](double place) {
-        return lowest_bits(int(std::clamp(place - passed + 1, 0.0, double(extent[0]))));
-      };
-      const std::uint64_t to_below = points_up_to(below), to_above = points_up_to(above);
-      inside |= ((to_below ^ flip) & row) << (8 * y);
-      open |= (to_below ^ to_above) << (8 * y);
-    }
-    result.inside.words[std::size_t(first_word + w)] = inside << shift;
-    result.open.words[std::size_t(first_word + w)] = open << shift;
+    const auto in = std::uint64_t(inside[w / 2][w % 2]), out = std::uint64_t(outside[w / 2][w % 2]);
+    result.inside.words[std::size_t(first_word + w)] = in << shift;
+    result.open.words[std::size_t(first_word + w)] = (all & ~in & ~out) << shift;
   }
   return result;
 }
@@ -95,9 +87,8 @@ class Digitizer {
 
  private:
   static constexpr double kSharp = 0.5;  // cells
-  /// Points in a block that is not split further, and the part of a block that may stay open: in 2D a smaller one,
-  /// where a point of a polar curve costs half as much as a bound.
-  static constexpr int kSmallest = d == 2 ? 16 : 64, kOpenShare = d == 2 ? 16 : 8;
+  /// Points in a block that is not split further, and the part of a block that may stay open.
+  static constexpr int kSmallest = d == 2 ? 16 : 64, kOpenShare = 8;
 
   /// Splits a cube of bricks, `side_length` a power of two, until its parts are decided or single bricks.
   /// @param known a bound that holds for the cube, and is as good as one of its own; or null
