@@ -14,12 +14,13 @@ import sys
 import tempfile
 from pathlib import Path
 
-SHAPES = {"shapes", "shapes/analytic", "shapes/digital", "shapes/base"}
+SHAPES = {"shapes", "shapes/analytic", "shapes/digital", "shapes/files", "shapes/base"}
 LIBRARY = SHAPES | {"estimators"}
 # A folder not listed belongs to the layer of its parent. A layer may always include itself.
 MAY_INCLUDE = {
     "shapes/base": set(),
     "shapes/digital": {"shapes/base"},
+    "shapes/files": {"shapes/digital", "shapes/base"},
     "shapes/analytic": {"shapes/base"},
     "shapes": {"shapes/analytic", "shapes/digital", "shapes/base"},  # the scene: where both meet
     "estimators": {"shapes/digital", "shapes/base"},  # never shapes/analytic nor the scene: the answer key
