@@ -4,7 +4,7 @@
     check_layers.py [ROOT]       report every forbidden include and every cycle; exit 1 if there is any
     check_layers.py --selftest   plant each kind of mistake in a copy, and see that it is reported
 
-Tests (*_test.cpp) and their helpers (testing_*.hpp) may include all of shapes/ and estimators/ besides what their
+Tests (*_test.cpp, *_fuzz.cpp) and their helpers (testing_*.hpp) may include all of shapes/ and estimators/ besides what their
 folder may: they compare with the answer key. Nothing else may include a helper of tests.
 """
 
@@ -42,7 +42,7 @@ def layer_of(path):
 
 
 def is_test(path):
-    return path.name.endswith("_test.cpp") or path.name.startswith("testing_")
+    return path.name.endswith(("_test.cpp", "_fuzz.cpp")) or path.name.startswith("testing_")
 
 
 def includes_of(root, path):

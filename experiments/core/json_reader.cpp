@@ -56,6 +56,10 @@ json load_json(const std::filesystem::path& file) {
     throw InputError(
         fmt::format("{}: cannot be read: {}", file.string(), std::generic_category().message(reason_unread)));
 
+  return parse_json(*text, file.string());
+}
+
+json parse_json(const std::string& text, const std::string& source) {
   std::vector<std::set<std::string>> keys_of_open_objects;
   const auto check_keys = [&](int, json::parse_event_t event, json& parsed) {
     if (event == json::parse_event_t::object_start) keys_of_open_objects.emplace_back();
@@ -63,13 +67,13 @@ json load_json(const std::filesystem::path& file) {
     if (event == json::parse_event_t::key &&
         !keys_of_open_objects.back().insert(parsed.get<std::string>()).second)
       throw InputError(
-          fmt::format("{}: key '{}' is given twice in one object", file.string(), parsed.get<std::string>()));
+          fmt::format("{}: key '{}' is given twice in one object", source, parsed.get<std::string>()));
     return true;
   };
   try {
-    return json::parse(*text, check_keys);
+    return json::parse(text, check_keys);
   } catch (const json::exception& error) {
-    throw InputError(fmt::format("{}: {}", file.string(), reason(error)));
+    throw InputError(fmt::format("{}: {}", source, reason(error)));
   }
 }
 
