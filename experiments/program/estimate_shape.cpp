@@ -8,6 +8,7 @@
 #include "experiments/compared.hpp"
 #include "experiments/core/norms.hpp"
 #include "experiments/core/text.hpp"
+#include "experiments/memory.hpp"
 #include "experiments/program/estimation.hpp"
 #include "experiments/program/surfel_output.hpp"
 #include "shapes/analytic/catalogue.hpp"
@@ -75,8 +76,8 @@ void run(const EstimateOptions& options, const Shape<d>& shape) {
   const std::optional<EuclideanLength> R = radius_of(options, h);
   const SceneSettings<d> settings = scene_settings<d>(options, h);
   std::vector<Estimation<d>> estimations = chosen<d>(options, R);
-  require_memory<d>(estimations, shape.bounds(), h, R, options,
-                    fmt::format("{} at h = {}", options.shape, h.value));
+  const double predicted = predicted_memory<d>(estimations, shape.bounds(), h, R, options);
+  require_memory(predicted, fmt::format("{} at h = {}", options.shape, h.value));
   SurfelOutput output(options.csv, options.out, d);
 
   const Scene<d> scene = [&] {
@@ -131,6 +132,7 @@ void run(const EstimateOptions& options, const Shape<d>& shape) {
     }
     print_work(out, e, options, scene.surfels.size());
   }
+  fmt::print(out, "{}\n", memory_report(predicted, std::int64_t(scene.surfels.size())));
 }
 
 }  // namespace

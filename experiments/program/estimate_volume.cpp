@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "experiments/memory.hpp"
 #include "experiments/program/estimation.hpp"
 #include "experiments/program/surfel_output.hpp"
 #include "shapes/digital/boundary.hpp"
@@ -26,7 +27,8 @@ void estimate_on_volume(EstimateOptions options) {
   const EuclideanLength R = radius_of(options, h).value_or(EuclideanLength{kDefaultRadius * h.value});
   std::vector<Estimation<3>> estimations = chosen<3>(options, R);
   const RealBox<3> bounds(RealPoint<3>::Zero().eval(), RealPoint<3>(h.value * volume.extent.cast<double>()));
-  require_memory<3>(estimations, bounds, h, R, options, options.volume.path);
+  const double predicted = predicted_memory<3>(estimations, bounds, h, R, options);
+  require_memory(predicted, options.volume.path);
   if (!range) range = foreground(volume);
   SurfelOutput output(options.csv, options.out, 3);
   const DigitalSet<3> set = threshold(volume, *range);
@@ -53,6 +55,7 @@ void estimate_on_volume(EstimateOptions options) {
     }
     print_work(out, e, options, surface.surfels.size());
   }
+  fmt::print(out, "{}\n", memory_report(predicted, std::int64_t(surface.surfels.size())));
 }
 
 }  // namespace gridstep

@@ -98,15 +98,18 @@ std::vector<Estimation<d>> chosen(const EstimateOptions& options, const std::opt
 }
 
 template <int d>
-void require_memory(const std::vector<Estimation<d>>& estimations, const RealBox<d>& bounds, GridStep h,
-                    const std::optional<EuclideanLength>& R, const EstimateOptions& options,
-                    const std::string& what) {
-  for (const Estimation<d>& e : estimations)
-    require_memory(
-        predicted_memory<d>(bounds, h, R && e.variant->takes_radius ? to_digital(*R, h) : DigitalLength{1},
-                            d == 3 && e.variant->quantities.size() > 1, parse_evaluation(options.evaluation),
-                            tbb::this_task_arena::max_concurrency()),
-        what);
+double predicted_memory(const std::vector<Estimation<d>>& estimations, const RealBox<d>& bounds, GridStep h,
+                        const std::optional<EuclideanLength>& R, const EstimateOptions& options) {
+  const Evaluation evaluation = parse_evaluation(options.evaluation);
+  const double surfels = predicted_surfels<d>(bounds, h);
+  double bytes = predicted_set_memory<d>(bounds, h), tables = 0;
+  for (const Estimation<d>& e : estimations) {
+    bytes += surfels * predicted_surfel_memory(d == 3 && e.variant->quantities.size() > 1);
+    if (R && e.variant->takes_radius)
+      tables = std::max(tables, predicted_table_memory<d>(to_digital(*R, h), evaluation,
+                                                          tbb::this_task_arena::max_concurrency()));
+  }
+  return bytes + tables;
 }
 
 template <int d>
@@ -184,9 +187,8 @@ std::string radius_text(const std::optional<EuclideanLength>& R, GridStep h) {
 #define GRIDSTEP_INSTANTIATE(d)                                                                              \
   template std::vector<std::string> estimators_with_quantity<d>(const EstimateOptions&);                     \
   template std::vector<Estimation<d>> chosen(const EstimateOptions&, const std::optional<EuclideanLength>&); \
-  template void require_memory(const std::vector<Estimation<d>>&, const RealBox<d>&, GridStep,               \
-                               const std::optional<EuclideanLength>&, const EstimateOptions&,                \
-                               const std::string&);                                                          \
+  template double predicted_memory(const std::vector<Estimation<d>>&, const RealBox<d>&, GridStep,           \
+                                   const std::optional<EuclideanLength>&, const EstimateOptions&);           \
   template void evaluate(std::vector<Estimation<d>>&, const DigitalSet<d>&, std::span<const Surfel<d>>,      \
                          GridStep, EuclideanLength, const EstimateOptions&);                                 \
   template SurfelTable surfel_table(const std::vector<Estimation<d>>&, std::span<const Surfel<d>>, GridStep, \

@@ -42,11 +42,10 @@ std::vector<std::string> estimators_with_quantity(const EstimateOptions& options
 template <int d>
 std::vector<Estimation<d>> chosen(const EstimateOptions& options, const std::optional<EuclideanLength>& R);
 
-/// @throws InputError where less memory is available than `what`, of these bounds, will need.
+/// Bytes that a digital set of these bounds, its surface and all that the estimators make of it will hold.
 template <int d>
-void require_memory(const std::vector<Estimation<d>>& estimations, const RealBox<d>& bounds, GridStep h,
-                    const std::optional<EuclideanLength>& R, const EstimateOptions& options,
-                    const std::string& what);
+double predicted_memory(const std::vector<Estimation<d>>& estimations, const RealBox<d>& bounds, GridStep h,
+                        const std::optional<EuclideanLength>& R, const EstimateOptions& options);
 
 template <int d>
 void evaluate(std::vector<Estimation<d>>& estimations, const DigitalSet<d>& set,

@@ -1,9 +1,7 @@
 #include "estimators/integral_invariant/bricks/ball_sums.hpp"
 
-#include <tbb/enumerable_thread_specific.h>
-
-#include "estimators/integral_invariant/bricks/cut_bricks.hpp"
 #include "estimators/integral_invariant/bricks/half_row_sums.hpp"
+#include "estimators/integral_invariant/bricks/targets.hpp"
 #include "shapes/base/parallel.hpp"
 
 namespace gridstep::bricks {
@@ -52,12 +50,13 @@ std::vector<Sum> BallSums<d, Sum>::eval(const DigitalSet<d>& set, const SpelsByB
     box.hi[k] += margin;
   }
   const BrickRows<d, Modular<Sum>> rows(set, box);
+  const Target& cut = target();
 
   struct Scratch {
     SourceLists<d, Modular<Sum>> lists;
     std::int64_t visited = 0;
   };
-  tbb::enumerable_thread_specific<Scratch> scratches;
+  PerWorker<Scratch> scratches;
   constexpr std::size_t kGrain = 16;
   parallel_chunks(sources.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     auto& [lists, visited] = scratches.local();
@@ -71,7 +70,7 @@ std::vector<Sum> BallSums<d, Sum>::eval(const DigitalSet<d>& set, const SpelsByB
         sum.move(origin + Brick<d>::offset(bit));
         add(sum, half_rows.right(lists.right.half_rows, bit));
         add(sum, half_rows.left(lists.left.half_rows, bit));
-        add(sum, cut_sum(lists, ball, bit));
+        add(sum, cut.cut_sum(lists, AlignedBall<d>{&ball, bit}));
         result[position++] = to_signed(sum);
       });
       visited += std::int64_t(lists.size() * (position - source.begin));
@@ -79,7 +78,7 @@ std::vector<Sum> BallSums<d, Sum>::eval(const DigitalSet<d>& set, const SpelsByB
   });
   if (work) {
     work->points += std::int64_t(spels.size());
-    for (const Scratch& scratch : scratches) work->cells_visited += scratch.visited;
+    scratches.for_each([&](const Scratch& scratch) { work->cells_visited += scratch.visited; });
   }
   return result;
 }

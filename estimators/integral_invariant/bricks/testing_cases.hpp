@@ -48,9 +48,9 @@ inline double random_radius(RandomStream& random, int largest) {
 
 /// A set in a box of random place and size, which in one case in four fills its domain to the border.
 template <int d>
-DigitalSet<d> random_digital_set(RandomStream& random, std::string& description) {
+DigitalSet<d> random_digital_set(RandomStream& random, int largest_side, std::string& description) {
   LatticeBox<d> box{random_point<d>(random, 90), {}};
-  for (int k = 0; k < d; ++k) box.hi[k] = box.lo[k] + int(random.below(d == 2 ? 150 : 28));
+  for (int k = 0; k < d; ++k) box.hi[k] = box.lo[k] + int(random.below(std::uint32_t(largest_side)));
   if (random.below(4) == 0) {  // up to a corner of its domain, which is made of whole pages
     constexpr int kPage = DigitalSet<d>::kPageSide;
     for (int k = 0; k < d; ++k) {
@@ -63,8 +63,8 @@ DigitalSet<d> random_digital_set(RandomStream& random, std::string& description)
   const LatticePoint<d> centre = (box.lo + box.hi) / 2;
   const double radius = 0.6 * double(box.extent().maxCoeff());
   const RealPoint<d> slope = random_point<d>(random, 5).template cast<double>();
-  const auto kind = random.below(7);
-  description = std::array{"empty", "full", "single", "checkerboard", "noise", "ball", "half-space"}[kind];
+  const auto kind = random.below(8);
+  description = std::array{"empty", "full", "single", "checkerboard", "noise", "ball", "half-space", "holes"}[kind];
   DigitalSet<d> set(box);
   const double density = random.uniform();
   for_each_point(box, [&](const LatticePoint<d>& z) {
@@ -75,7 +75,8 @@ DigitalSet<d> random_digital_set(RandomStream& random, std::string& description)
                             (z.sum() & 1) == 0,
                             kind == 4 && random.uniform() < density,
                             p.norm() <= radius,
-                            p.dot(slope) <= 0.3};
+                            p.dot(slope) <= 0.3,
+                            kind == 7 && random.below(100) != 0};
     if (inside[kind]) set.set(z, true);
   });
   return set;
@@ -85,7 +86,8 @@ template <int d>
 RandomCase<d> random_case(std::uint64_t seed, int largest_radius, std::size_t most_spels) {
   RandomStream random({seed});
   std::string description;
-  DigitalSet<d> set = random_digital_set<d>(random, description);
+  // Some sets hold whole balls, with bricks all around the ball's boundary.
+  DigitalSet<d> set = random_digital_set<d>(random, 16 + (d == 2 ? 3 : 2) * largest_radius, description);
   std::vector<LatticePoint<d>> spels;
   const auto surfels = boundary(set);
   for (std::size_t i = 0; i < most_spels; ++i) {

@@ -1,4 +1,4 @@
-#include "estimators/integral_invariant/bricks/cut_bricks.hpp"
+#include "estimators/integral_invariant/bricks/cut_plain.hpp"
 
 #include "estimators/integral_invariant/bricks/brick_sums.hpp"
 
@@ -6,18 +6,14 @@ namespace gridstep::bricks {
 
 namespace {
 
-/// The ball around one spel of the source brick.
+/// Number of points of each line of a brick, or of a run of full bricks, that the ball reaches.
 template <int d>
-class AlignedBall {
+class Reach {
  public:
-  static constexpr int kLength = Lines<d>::kLength;
+  explicit Reach(const AlignedBall<d>& ball)
+      : widths_(ball.widths()), to_right_(ball.to_right()), to_left_(ball.to_left()) {}
 
-  AlignedBall(const BallRows<d>& ball, int bit)
-      : widths_(ball.widths(bit / kLength)),
-        to_right_(kLength - 1 - bit % kLength),
-        to_left_(bit % kLength + ball.skew()) {}
-
-  /// Number of points of each line of a row, right or left, from `from` on, at most `most`.
+  /// On the right, or the left, of the source brick; `from` and `most` are those of the entry.
   int right(std::uint32_t row, std::size_t line, int from, int most) const {
     return length(row, line, from + to_right_, most);
   }
@@ -56,13 +52,13 @@ Brick<d> cut(const MixedBrick& brick, LowLength low, HighLength high) {
 }  // namespace
 
 template <int d, class Sum>
-Sum cut_sum(const SourceLists<d, Sum>& lists, const BallRows<d>& ball, int bit) {
+Sum cut_plain(const SourceLists<d, Sum>& lists, const AlignedBall<d>& ball) {
   constexpr int kLength = Lines<d>::kLength;
-  const AlignedBall<d> aligned(ball, bit);
+  const Reach<d> reach(ball);
   const auto origin = [&](std::uint32_t row, int offset) {
-    LatticePoint<d> brick = ball.rows()[row].brick;
+    LatticePoint<d> brick = ball.ball->rows()[row].brick;
     brick[0] = offset;
-    return LatticePoint<d>(Brick<d>::origin(brick) - Brick<d>::offset(bit));
+    return LatticePoint<d>(Brick<d>::origin(brick) - Brick<d>::offset(ball.bit));
   };
   const auto whole_line = [](std::size_t) { return kLength; };
   Sum sum;
@@ -71,10 +67,10 @@ Sum cut_sum(const SourceLists<d, Sum>& lists, const BallRows<d>& ball, int bit) 
       add_brick(sum, cut<d>(entry, right(entry), left(entry)), origin(entry.row, entry.offset));
   };
   const auto cut_right = [&](const MixedBrick& entry) {
-    return [&](std::size_t line) { return aligned.right(entry.row, line, entry.from, kLength); };
+    return [&](std::size_t line) { return reach.right(entry.row, line, entry.from, kLength); };
   };
   const auto cut_left = [&](const MixedBrick& entry) {
-    return [&](std::size_t line) { return aligned.left(entry.row, line, entry.from, kLength); };
+    return [&](std::size_t line) { return reach.left(entry.row, line, entry.from, kLength); };
   };
   const auto not_cut = [&](const MixedBrick&) { return whole_line; };
   add_mixed(lists.right.mixed, cut_right, not_cut);
@@ -85,12 +81,12 @@ Sum cut_sum(const SourceLists<d, Sum>& lists, const BallRows<d>& ball, int bit) 
     const LatticePoint<d> first = origin(run.row, run.offset);
     for (int line = 0; line < Lines<d>::kCount; ++line)
       add_stretch(sum, LatticePoint<d>(first + Brick<d>::offset(line * kLength)),
-                  aligned.right(run.row, std::size_t(line), run.from, run.length));
+                  reach.right(run.row, std::size_t(line), run.from, run.length));
   }
   for (const FullRun& run : lists.left.full) {
     const LatticePoint<d> end = origin(run.row, run.offset + 1);
     for (int line = 0; line < Lines<d>::kCount; ++line) {
-      const int length = aligned.left(run.row, std::size_t(line), run.from, run.length);
+      const int length = reach.left(run.row, std::size_t(line), run.from, run.length);
       LatticePoint<d> first = end + Brick<d>::offset(line * kLength);
       first[0] -= length;
       add_stretch(sum, first, length);
@@ -99,11 +95,8 @@ Sum cut_sum(const SourceLists<d, Sum>& lists, const BallRows<d>& ball, int bit) 
   return sum;
 }
 
-template PlainSum<2, std::uint64_t> cut_sum(const SourceLists<2, PlainSum<2, std::uint64_t>>&,
-                                            const BallRows<2>&, int);
-template PlainSum<3, std::uint64_t> cut_sum(const SourceLists<3, PlainSum<3, std::uint64_t>>&,
-                                            const BallRows<3>&, int);
-template MomentSums<3, std::uint64_t> cut_sum(const SourceLists<3, MomentSums<3, std::uint64_t>>&,
-                                              const BallRows<3>&, int);
+template Counts<2> cut_plain(const SourceLists<2, Counts<2>>&, const AlignedBall<2>&);
+template Counts<3> cut_plain(const SourceLists<3, Counts<3>>&, const AlignedBall<3>&);
+template Moments cut_plain(const SourceLists<3, Moments>&, const AlignedBall<3>&);
 
 }  // namespace gridstep::bricks
