@@ -11,7 +11,8 @@
 namespace gridstep {
 
 /// The JSON in a file. @throws InputError in one line: the file and the system's reason, or the line and
-/// column of what is malformed, or the key an object has twice (JSON leaves open which one counts).
+/// column of what is malformed, or the key an object has twice (JSON leaves open which one counts), or that
+/// it is nested too deep.
 nlohmann::json load_json(const std::filesystem::path& file);
 /// The same of a text from `source`.
 nlohmann::json parse_json(const std::string& text, const std::string& source);
