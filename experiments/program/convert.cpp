@@ -44,7 +44,8 @@ void add_convert_command(CLI::App& program) {
   command
       ->add_option("--threshold", options->in.threshold,
                    "LOW,HIGH: write 1 for the grey values between, both included, and 0 for the others")
-      ->delimiter(',');
+      ->delimiter(',')
+      ->expected(1, 2);
   add_raw_layout_options(*command, options->in);
   command->footer(
       "Values are never changed: those that the format written cannot hold are an error. Of .vol (0 to "

@@ -5,18 +5,17 @@
 namespace gridstep {
 
 SurfelOutput::SurfelOutput(const std::string& csv, const std::vector<std::string>& paths, int d) {
-  for (const std::string& path : paths) files_.push_back({&surface_format(path, d), nullptr});
-  for (std::size_t i = 0; i < paths.size(); ++i) files_[i].file = std::make_unique<OutputFile>(paths[i]);
-  if (csv.empty()) return;
   to_standard_output_ = csv == "-" || csv == "/dev/stdout";
-  files_.push_back(
-      {&surface_format(".csv", d), std::make_unique<OutputFile>(csv == "-" ? "/dev/stdout" : csv)});
+  // First, since it may be a pipe or a device, where commit() may still fail: then nothing else is left.
+  if (!csv.empty()) files_.push_back({&surface_format(".csv", d), csv == "-" ? "/dev/stdout" : csv, nullptr});
+  for (const std::string& path : paths) files_.push_back({&surface_format(path, d), path, nullptr});
+  for (File& f : files_) f.file = std::make_unique<OutputFile>(f.path);
 }
 
 template <int d>
 void SurfelOutput::write(const SurfelTable& table, std::span<const Surfel<d>> surfels, GridStep h) {
   [[maybe_unused]] std::optional<QuadMesh> mesh;
-  for (const auto& [format, file] : files_) {
+  for (const auto& [format, path, file] : files_) {
     const Sink sink = [&out = *file](std::string_view bytes) { out.write(bytes); };
     if (format->write_table) {
       format->write_table(table, sink);

@@ -27,6 +27,7 @@ class SurfelOutput {
  private:
   struct File {
     const SurfaceFormat* format;
+    std::string path;
     std::unique_ptr<OutputFile> file;
   };
   std::vector<File> files_;

@@ -7,7 +7,9 @@
 namespace gridstep {
 
 void add_raw_layout_options(CLI::App& command, VolumeOptions& options) {
-  auto* size = command.add_option("--size", options.size, "Of a .raw volume: X,Y,Z voxels")->delimiter(',');
+  auto* size = command.add_option("--size", options.size, "Of a .raw volume: X,Y,Z voxels")
+                   ->delimiter(',')
+                   ->expected(1, 3);
   command
       .add_option(
           "--type", options.type,

@@ -1,35 +1,30 @@
 #include <fmt/format.h>
 
+#include <iterator>
+
 #include "shapes/files/surface_file.hpp"
 
 namespace gridstep {
 
 void write_ply(const SurfelTable& table, const QuadMesh& mesh, const Sink& sink) {
   std::string header = fmt::format(
-      "ply\nformat binary_{}_endian 1.0\nelement vertex {}\nproperty double x\nproperty double y\n"
-      "property double z\nelement face {}\nproperty list uchar int vertex_indices\n",
-      std::endian::native == std::endian::little ? "little" : "big", mesh.vertices.size(), mesh.quads.size());
+      "ply\nformat ascii 1.0\nelement vertex {}\nproperty double x\nproperty double y\nproperty double z\n"
+      "element face {}\nproperty list uchar int vertex_indices\n",
+      mesh.vertices.size(), mesh.quads.size());
   for (const SurfelColumn& column : table.values)
     header += fmt::format("property {} {}\n", column.type == SurfelColumn::Type::integer ? "int" : "double",
                           column.title);
   sink(header + "end_header\n");
-  sink({reinterpret_cast<const char*>(mesh.vertices.data()), mesh.vertices.size() * sizeof mesh.vertices[0]});
+  for (const auto& vertex : mesh.vertices) sink(fmt::format("{}\n", fmt::join(vertex, " ")));
 
-  std::string face;
-  const auto append = [&face]<class T>(const T& value) {
-    face.append(reinterpret_cast<const char*>(&value), sizeof value);
-  };
+  fmt::memory_buffer face;
   for (std::size_t i = 0; i < table.rows; ++i) {
-    face.assign(1, char(4));
-    append(mesh.quads[i]);
-    for (const SurfelColumn& column : table.values) {
-      const double value = column.value(i);
-      if (column.type == SurfelColumn::Type::integer)
-        append(std::int32_t(value));
-      else
-        append(value);
-    }
-    sink(face);
+    face.clear();
+    fmt::format_to(std::back_inserter(face), "4 {}", fmt::join(mesh.quads[i], " "));
+    for (const SurfelColumn& column : table.values)
+      fmt::format_to(std::back_inserter(face), " {}", column.value(i));
+    face.push_back('\n');
+    sink({face.data(), face.size()});
   }
 }
 

@@ -17,7 +17,7 @@ void write_npy(const SurfelTable& table, const Sink& sink);
 
 // The mesh of the surface; its keys are the geometry. Columns x_x, x_y, x_z make one vector in VTP.
 
-/// Binary, with a property of each face for every value.
+/// Text, with a property of each face for every value: few readers take those from binary files.
 void write_ply(const SurfelTable& table, const QuadMesh& mesh, const Sink& sink);
 /// VTK's PolyData, with an array of cell data for every value or vector.
 void write_vtp(const SurfelTable& table, const QuadMesh& mesh, const Sink& sink);
