@@ -29,7 +29,7 @@ enum class KernelCentre { spels, surfel };
 KernelCentre parse_kernel_centre(const std::string& name);
 
 struct EstimatorOptions {
-  Evaluation evaluation = Evaluation::masks;
+  Evaluation evaluation = Evaluation::bricks;
   KernelCentre centre = KernelCentre::spels;
 };
 

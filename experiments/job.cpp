@@ -109,7 +109,8 @@ class MethodRun {
 
   void add_part(const Scene<d>& scene, const std::map<ValuePosition, TruthAt>& truths) {
     if (!estimator_) {
-      estimator_ = variant_.make(scene.set, {method_.evaluation.value_or(Evaluation::masks), centre_});
+      estimator_ =
+          variant_.make(scene.set, {method_.evaluation.value_or(EstimatorOptions{}.evaluation), centre_});
       record_.seconds_init = timed(timing_, [&] { estimator_->init(scene.settings.h, R_); });
     }
     const auto& [truth, seconds_truth] = truths.at(variant_.position);

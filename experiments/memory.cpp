@@ -47,10 +47,10 @@ double predicted_surfel_memory(bool moments) {
 }
 
 template <int d>
-double predicted_table_memory(DigitalLength radius, Evaluation evaluation, int threads) {
+double predicted_table_memory(DigitalLength radius, bool moments, Evaluation evaluation, int threads) {
   const double r = radius.value, pi = std::numbers::pi;
-  // Half-widths for each line of the ball, and in 3D their prefix sums, for 64 alignments.
-  if (evaluation == Evaluation::bricks) return (d == 2 ? 256 * r : 1000 * r * r) + 0x1p16;
+  // Half-widths for each line of the ball and their prefix sums, for all alignments.
+  if (evaluation == Evaluation::bricks) return (d == 2 ? 1200 * r : (moments ? 3000 : 500) * r * r) + 0x1p16;
   const double kernel = (d == 2 ? pi * r * r : 4 * pi / 3 * r * r * r) * 16;
   const double masks = evaluation == Evaluation::full ? 0 : (d == 2 ? 8 * 5 * r : 231 * r * r) * 16;
   const double dense_kernel = evaluation == Evaluation::full ? 0 : 8 * std::pow(2 * r + 5, d);
@@ -80,7 +80,7 @@ void require_memory(double bytes, const std::string& what) {
 #define GRIDSTEP_INSTANTIATE(d)                                         \
   template double predicted_surfels<d>(const RealBox<d>&, GridStep);    \
   template double predicted_set_memory<d>(const RealBox<d>&, GridStep); \
-  template double predicted_table_memory<d>(DigitalLength, Evaluation, int);
+  template double predicted_table_memory<d>(DigitalLength, bool, Evaluation, int);
 GRIDSTEP_INSTANTIATE(2)
 GRIDSTEP_INSTANTIATE(3)
 #undef GRIDSTEP_INSTANTIATE

@@ -61,10 +61,10 @@ class InFolder(unittest.TestCase):
         self.assertEqual(result.returncode, 0, result.stderr)
         return result
 
-    def must_fail(self, arguments, *named):
+    def must_fail(self, arguments, *named, **keywords):
         """One line on standard error that holds every text of `named`, and no trace in the folder."""
         before = self.files()
-        result = self.run_here(*arguments)
+        result = self.run_here(*arguments, **keywords)
         self.assertNotEqual(result.returncode, 0)
         self.assertGreater(result.returncode, 0, "killed by a signal")
         self.assertEqual(result.stdout, "")
@@ -592,12 +592,24 @@ class Estimate(InFolder):
     def test_evaluations_and_threads_agree(self):
         for base in (self.FLAT, (*self.SOLID, "--estimator", "ii-covariance")):
             texts = set()
-            for evaluation in ("full", "masks"):
+            for evaluation in ("full", "masks", "bricks"):
                 for threads in (1, 2):
                     options = ("--evaluation", evaluation, "--threads", threads, "--raw", "--csv", "out.csv")
                     self.must_work(*base, *options)
                     texts.add((self.folder / "out.csv").read_text())
             self.assertEqual(len(texts), 1)
+
+    def test_instruction_sets_agree(self):
+        unknown = {**os.environ, "GRIDSTEP_TARGET": "mmx"}
+        line = self.must_fail([*self.SOLID, "--estimator", "ii"], "GRIDSTEP_TARGET", "'mmx'", env=unknown).stderr
+        targets = line.split("runs: ")[1].strip().split(", ")
+        self.assertEqual(targets[-1], "plain")
+        texts = set()
+        for target in targets:
+            chosen = {**os.environ, "GRIDSTEP_TARGET": target}
+            self.must_work(*self.SOLID, "--estimator", "ii-covariance", "--raw", "--csv", "out.csv", env=chosen)
+            texts.add((self.folder / "out.csv").read_text())
+        self.assertEqual(len(texts), 1)
 
     def test_csv_on_standard_output(self):
         self.must_work(*self.FLAT, "--csv", "out.csv")

@@ -50,7 +50,7 @@ void add_estimate_command(CLI::App& program) {
   auto* k = command->add_option("--k", options->k, "R = K h^ALPHA")->excludes(radius);
   command->add_option("--alpha", options->alpha, "Exponent of h in R (default: 1/3)")->needs(k);
   command->add_option("--evaluation", options->evaluation,
-                      "masks (default), full or bricks; the sums are the same");
+                      "bricks (default), masks or full; the sums are the same");
   command->add_option("--centre", options->centre,
                       "Kernel centres: spels (default; mean of inner and outer) or surfel");
   command->add_option("--shift", options->shift, "Sub-grid shift of the shape, in cells: X,Y[,Z]")

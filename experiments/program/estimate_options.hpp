@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "estimators/options.hpp"
 #include "experiments/program/volume_options.hpp"
 
 namespace gridstep {
@@ -12,7 +13,7 @@ namespace gridstep {
 struct EstimateOptions {
   std::string shape, image;
   VolumeOptions volume;
-  std::string quantity, evaluation = "masks", centre = "spels", csv;
+  std::string quantity, evaluation = to_string(EstimatorOptions{}.evaluation), centre = "spels", csv;
   std::vector<std::string> estimators, out;
   double h = 0, radius = 0, k = 0, alpha = 1.0 / 3.0, noise = 0;
   std::vector<double> shift;

@@ -104,9 +104,10 @@ double predicted_memory(const std::vector<Estimation<d>>& estimations, const Rea
   const double surfels = predicted_surfels<d>(bounds, h);
   double bytes = predicted_set_memory<d>(bounds, h), tables = 0;
   for (const Estimation<d>& e : estimations) {
-    bytes += surfels * predicted_surfel_memory(d == 3 && e.variant->quantities.size() > 1);
+    const bool moments = d == 3 && e.variant->quantities.size() > 1;
+    bytes += surfels * predicted_surfel_memory(moments);
     if (R && e.variant->takes_radius)
-      tables = std::max(tables, predicted_table_memory<d>(to_digital(*R, h), evaluation,
+      tables = std::max(tables, predicted_table_memory<d>(to_digital(*R, h), moments, evaluation,
                                                           tbb::this_task_arena::max_concurrency()));
   }
   return bytes + tables;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 #include <charconv>
 #include <cmath>
@@ -69,12 +70,17 @@ class Formula::Parser {
     a = kind == Kind::sum ? a + b : kind == Kind::difference ? a - b : a * b;
     return {int(all.size()) - 1, degree};
   }
+  /// Appends an operation, or finds it where it was done before.
   Term emit(Operation operation, int degree) {
     if (degree > kMaxDegree) fail(fmt::format("a degree of at most {} before", kMaxDegree));
-    if (formula_.operations_.size() >= kMaxOperations)
-      fail(fmt::format("at most {} operations", kMaxOperations));
-    formula_.operations_.push_back(operation);
-    return {int(formula_.operations_.size()) - 1, degree};
+    std::vector<Operation>& all = formula_.operations_;
+    if (operation.kind != Kind::constant) {  // these may still be folded
+      const auto known = std::find(all.begin(), all.end(), operation);
+      if (known != all.end()) return {int(known - all.begin()), degree};
+    }
+    if (all.size() >= kMaxOperations) fail(fmt::format("at most {} operations", kMaxOperations));
+    all.push_back(operation);
+    return {int(all.size()) - 1, degree};
   }
 
   Term sum() {

@@ -1,12 +1,14 @@
 #pragma once
 
+#include <span>
+
 #include "estimators/integral_invariant/bricks/source_lists.hpp"
 
 namespace gridstep::bricks {
 
-/// The part of a ball that lies in the bricks of M and the runs of F, positions taken from its spel: in words of 64
-/// bits, on any processor.
+/// CutSums in words of 64 bits, on any processor.
 template <int d, class Sum>
-Sum cut_plain(const SourceLists<d, Sum>& lists, const AlignedBall<d>& ball);
+void cut_plain(const SourceLists<d, Sum>& lists, const BallRows<d>& ball, std::span<const std::uint16_t> bits,
+               Sum* sums);
 
 }  // namespace gridstep::bricks

@@ -237,12 +237,15 @@ HWY_INLINE Moments sums_of_slices(const SourceLists<3, Moments>& lists, const Al
   return sums.sums();
 }
 
-Moments moments_3d(const SourceLists<3, Moments>& lists, const AlignedBall<3>& ball) {
+void moments_3d(const SourceLists<3, Moments>& lists, const BallRows<3>& ball,
+                std::span<const std::uint16_t> bits, Moments* sums) {
   const Constants k;
-  Moments sum;
-  for (std::size_t at = 0; at < 64; at += hn::Lanes(ByteTag())) add(sum, sums_of_slices(lists, ball, k, at));
-  sum.move(Brick<3>::offset(ball.bit));
-  return sum;
+  for (std::size_t i = 0; i < bits.size(); ++i) {
+    sums[i] = {};
+    for (std::size_t at = 0; at < 64; at += hn::Lanes(ByteTag()))
+      add(sums[i], sums_of_slices(lists, {&ball, bits[i]}, k, at));
+    sums[i].move(Brick<3>::offset(bits[i]));
+  }
 }
 
 }  // namespace

@@ -1,28 +1,34 @@
 #pragma once
 
+#include <span>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "estimators/integral_invariant/bricks/source_lists.hpp"
 
 namespace gridstep::bricks {
 
-/// The inner loops, compiled for one kind of processor: cut_sum(lists, ball) is the part of the ball's sum that
-/// lies in the bricks of M and the runs of F, positions taken from the spel.
+/// The inner loops, compiled for one kind of processor: the part of the balls around the spels `bits` of a source
+/// brick, in increasing order, that lies in the bricks of M and the runs of F; positions taken from the spel.
+template <int d, class Sum>
+using CutSums = void (*)(const SourceLists<d, Sum>& lists, const BallRows<d>& ball,
+                         std::span<const std::uint16_t> bits, Sum* sums);
+
 struct Target {
   std::string name;
-  Counts<2> (*count_2d)(const SourceLists<2, Counts<2>>& lists, const AlignedBall<2>& ball);
-  Counts<3> (*count_3d)(const SourceLists<3, Counts<3>>& lists, const AlignedBall<3>& ball);
-  Moments (*moments_3d)(const SourceLists<3, Moments>& lists, const AlignedBall<3>& ball);
+  CutSums<2, Counts<2>> count_2d;
+  CutSums<3, Counts<3>> count_3d;
+  CutSums<3, Moments> moments_3d;
 
-  Counts<2> cut_sum(const SourceLists<2, Counts<2>>& lists, const AlignedBall<2>& ball) const {
-    return count_2d(lists, ball);
-  }
-  Counts<3> cut_sum(const SourceLists<3, Counts<3>>& lists, const AlignedBall<3>& ball) const {
-    return count_3d(lists, ball);
-  }
-  Moments cut_sum(const SourceLists<3, Moments>& lists, const AlignedBall<3>& ball) const {
-    return moments_3d(lists, ball);
+  template <int d, class Sum>
+  CutSums<d, Sum> cut_sums() const {
+    if constexpr (d == 2)
+      return count_2d;
+    else if constexpr (std::is_same_v<Sum, Moments>)
+      return moments_3d;
+    else
+      return count_3d;
   }
 };
 
