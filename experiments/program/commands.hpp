@@ -15,5 +15,6 @@ inline std::string not_negative(const std::string& text) {
 void add_list_command(CLI::App& program);
 void add_study_command(CLI::App& program);
 void add_estimate_command(CLI::App& program);
+void add_convert_command(CLI::App& program);
 
 }  // namespace gridstep

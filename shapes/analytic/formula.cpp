@@ -17,6 +17,13 @@ constexpr int kMaxDegree = 64;
 constexpr int kMaxDepth = 200;  // of nested parentheses and signs: the parser recurses
 constexpr std::size_t kMaxOperations = 10000;
 
+/// In one line of a message, whatever the text is.
+std::string shown(std::string text) {
+  for (char& c : text)
+    if (std::iscntrl(static_cast<unsigned char>(c))) c = '?';
+  return text;
+}
+
 }  // namespace
 
 /// Recursive descent; each rule returns the register of its value and the degree.
@@ -31,15 +38,15 @@ class Formula::Parser {
 
   Term parse() {
     const Term term = sum();
-    if (peek() != '\0') fail("an operator or the end");
+    if (peek() != '\0' || at_ < text_.size()) fail("an operator or the end");
     return term;
   }
 
  private:
   [[noreturn]] void fail(const std::string& expected) const {
-    throw InputError(
-        fmt::format("polynomial '{}': expected {} at character {}{}", text_, expected, at_ + 1,
-                    at_ < text_.size() ? fmt::format(", not '{}'", text_[at_]) : ", where it ends"));
+    throw InputError(fmt::format(
+        "polynomial '{}': expected {} at character {}{}", shown(text_), expected, at_ + 1,
+        at_ < text_.size() ? fmt::format(", not '{}'", shown(text_.substr(at_, 1))) : ", where it ends"));
   }
   char peek() {
     while (at_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[at_]))) ++at_;

@@ -1,4 +1,4 @@
-#include "shapes/digital/image_file.hpp"
+#include "shapes/files/image_file.hpp"
 
 #include <gtest/gtest.h>
 

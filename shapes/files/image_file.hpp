@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "shapes/digital/digital_set.hpp"
+#include "shapes/files/byte_reader.hpp"
 
 namespace gridstep {
 
@@ -22,12 +23,13 @@ struct GreyImage {
 /// is 1 and white is 0, as the file has them, so that [1, 1] is the drawing. What follows the last pixel is
 /// ignored. Cost O(pixels).
 /// @throws InputError naming the file and what is wrong with it.
+GreyImage read_image(ByteReader& file);
 GreyImage read_image(const std::string& path);
 
 /// The pixels with low <= value <= high. The y axis points up: the pixel x of row r is the point (x, height -
 /// 1 - r). Outside of the image is background: foreground that touches the border has its boundary there.
 /// Cost O(pixels).
 /// @throws InputError where there is no such pixel.
-DigitalSet<2> threshold(const GreyImage& image, int low, int high);
+DigitalSet<2> threshold(const GreyImage& image, double low, double high);
 
 }  // namespace gridstep
