@@ -120,7 +120,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadFormula{"X", {"character 1", "'X'"}}));
 
 TEST(FormulaErrors, TakeOneLineWhateverTheTextIs) {
-  EXPECT_EQ(error_of("x\n\x1b"), "polynomial 'x??': expected an operator or the end at character 3, not '?'");
+  EXPECT_EQ(error_of("x\n\x1b"), "polynomial 'x?" "?': expected an operator or the end at character 3, not '?'");
   EXPECT_EQ(error_of(std::string("x\0y", 3)),
             "polynomial 'x?y': expected an operator or the end at character 2, not '?'");
 }
