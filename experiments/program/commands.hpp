@@ -1,7 +1,9 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <string>
+#include <vector>
 
 namespace gridstep {
 
@@ -15,5 +17,9 @@ inline std::string not_negative(const std::string& text) {
 void add_list_command(CLI::App& program);
 void add_study_command(CLI::App& program);
 void add_estimate_command(CLI::App& program);
+void add_report_command(CLI::App& program);
+
+/// The report of the results in some folders, whole or not at all.
+void write_report(const std::vector<std::string>& folders, const std::filesystem::path& file);
 
 }  // namespace gridstep

@@ -22,13 +22,15 @@ int main(int argc, char** argv) {
       "  gridstep list shapes\n"
       "  gridstep study paper-2d --quick --out results/raw/paper-2d\n"
       "  gridstep estimate --shape ellipse:a=20,b=7 --h 0.1 --estimator ii --k 5 --csv ellipse.csv\n"
+      "  gridstep report results/raw/paper-2d\n"
       "A command tells more: gridstep estimate --help");
   gridstep::add_list_command(program);
   gridstep::add_study_command(program);
   gridstep::add_estimate_command(program);
+  gridstep::add_report_command(program);
   try {
     program.parse(argc, argv);
-    if (program.get_subcommands().empty()) throw CLI::RequiredError("A command: list, study or estimate");
+    if (program.get_subcommands().empty()) throw CLI::RequiredError("A command: list, study, estimate or report");
     // A full disk shows when the buffer is written at the latest: after all the work, but not unnoticed.
     if (std::fflush(stdout) != 0)
       throw std::system_error(errno, std::generic_category(), "standard output cannot be written");
@@ -40,7 +42,7 @@ int main(int argc, char** argv) {
     const bool is_command =
         program.get_subcommands().empty() && !extras.empty() && !extras[0].starts_with('-');
     fmt::print(stderr, "gridstep: {}\n",
-               is_command ? fmt::format("unknown command '{}'; known: list, study, estimate", extras[0])
+               is_command ? fmt::format("unknown command '{}'; known: list, study, estimate, report", extras[0])
                           : fmt::format("{} (see gridstep --help)", error.what()));
     return 2;
   } catch (const CLI::ParseError& error) {

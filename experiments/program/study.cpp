@@ -12,6 +12,7 @@
 #include "experiments/core/output_file.hpp"
 #include "experiments/core/provenance.hpp"
 #include "experiments/program/commands.hpp"
+#include "experiments/report/page.hpp"
 #include "experiments/runner.hpp"
 #include "experiments/work_precision.hpp"
 #include "shapes/base/contracts.hpp"
@@ -88,6 +89,8 @@ void run(const Options& options) {
     if (options.latex) write_whole(folder / (name + ".tex"), to_latex(table));
   }
   fs::remove(journal, ignored);
+  const bool has_page = !page_template().empty();
+  if (has_page) write_report({folder.string()}, folder / "report.html");
 
   std::int64_t surfels = 0, singular = 0, far = 0;
   double residual = 0;
@@ -106,6 +109,10 @@ void run(const Options& options) {
     fmt::print("; left out of the norms: {} at singular points, {} far from the boundary", singular, far);
   fmt::print("\nwritten: {}\n", (folder / "records.jsonl").string());
   fmt::print("written: {}\n", (folder / "summary.json").string());
+  if (has_page)
+    fmt::print("written: {}\n", (folder / "report.html").string());
+  else
+    fmt::print("not written: report.html, as this gridstep was built without Node\n");
 }
 
 }  // namespace
