@@ -24,7 +24,8 @@ if(GRIDSTEP_REPORT)
 else()
   message(STATUS "Node 18 and npm were not found: gridstep will not write report.html")
 endif()
-file(GLOB report_sources CONFIGURE_DEPENDS ${report_source}/*.* ${report_source}/src/*.*)
+file(GLOB report_sources CONFIGURE_DEPENDS ${report_source}/*.* ${report_source}/src/*.*
+     ${report_source}/test/*.*)
 add_custom_command(
   OUTPUT ${report_include}
   COMMAND ${CMAKE_COMMAND} -D SOURCE=${report_source} -D WORK=${PROJECT_BINARY_DIR}/report -D "NODE=${report_node}"

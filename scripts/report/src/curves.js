@@ -46,7 +46,7 @@ const parts = [
   (curve) => curve.estimator,
   radiusText,
   (curve) => (curve.centre === "surfel" ? "kernels centred on surfels" : ""),
-  (curve) => (curve.noise > 0 ? `noise ${curve.noise}` : ""),
+  (curve) => (curve.noise > 0 ? `noise ${curve.noise}` : "no noise"),
   (curve) => (curve.rotated ? "rotated" : ""),
 ];
 

@@ -91,13 +91,13 @@ export class Stage {
     if (!this.#mesh) return;
     this.#mesh.faceEye(this.#camera.position);
     this.#renderer.render(this.#scene, this.#camera);
+    clearTimeout(this.#rest);
     if (this.#controls.autoRotate) this.#controls.update(seconds);
+    else this.#rest = setTimeout(() => this.#setPixels(restPixels), restAfter);
   }
 
   #moved() {
     this.#setPixels(1);
-    clearTimeout(this.#rest);
-    this.#rest = setTimeout(() => this.#setPixels(restPixels), restAfter);
     this.redraw();
   }
 
