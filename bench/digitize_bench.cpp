@@ -1,6 +1,8 @@
-// What precedes an evaluation: digitization, extraction of the boundary, and a kernel with its displacement
-// masks. One thread. Both fast paths are compared with the plain definition, at a coarse step, before they
-// are timed.
+// What precedes an evaluation: digitization, extraction of the boundary and of its components, and a kernel with its
+// displacement masks. Names are <work>/<dimension>/<shape>/h:<step>, on one thread unless they end in threads:2.
+//
+// Digitization and extraction are compared with the plain definition, at a coarse step, before they are timed; what
+// runs on two threads is compared with what one thread finds.
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
@@ -32,40 +34,69 @@ bool equals_the_definition(const Shape<d>& shape, GridStep h) {
   return same && surfels == boundary(set).size();
 }
 
-/// Runs the loop, and counts the time of a surfel.
-template <int d, class Work>
-void run(benchmark::State& state, const DigitalSet<d>& set, Work work) {
-  const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
-  const std::size_t surfels = boundary(set).size();
-  const std::clock_t begin = std::clock();  // of the process, which has one thread
+double seconds(clockid_t clock) {
+  timespec time;
+  clock_gettime(clock, &time);
+  return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
+}
+
+/// Times work() by the surfel: the processor for one thread, the clock on the wall for more.
+template <class Work>
+void run(benchmark::State& state, std::size_t surfels, Work work) {
+  const bool one_thread =
+      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism) == 1;
+  const clockid_t clock = one_thread ? CLOCK_PROCESS_CPUTIME_ID : CLOCK_MONOTONIC;
+  const double begin = seconds(clock);
   for (auto _ : state) benchmark::DoNotOptimize(work());
-  const double seconds = double(std::clock() - begin) / CLOCKS_PER_SEC;
-  state.counters["ns_per_surfel"] = 1e9 * seconds / (double(state.iterations()) * double(surfels));
+  const double each = (seconds(clock) - begin) / double(state.iterations());
+  state.counters["ns_per_surfel"] = 1e9 * each / double(surfels);
   state.counters["surfels"] = double(surfels);
-  state.SetComplexityN(state.range(0));
 }
 
 template <int d>
-void digitize(benchmark::State& state, const std::string& spec, GridStep coarse) {
-  const auto shape = make_shape<d>(spec);
-  if (!equals_the_definition<d>(*shape, coarse)) {
-    state.SkipWithError("differs from sampling every point");
-    return;
-  }
-  const GridStep h{1.0 / double(state.range(0))};
+void digitize(benchmark::State& state, const Shape<d>& shape, GridStep h,
+              const std::vector<Surfel<d>>& expected) {
   DigitizationWork work;
-  const DigitalSet<d> set = gauss_digitize<d>(*shape, h);
-  run(state, set, [&] { return gauss_digitize<d>(*shape, h, &work); });
-  state.counters["calls_per_surfel"] = double(work.points + work.boxes) / state.counters["surfels"];
+  const DigitalSet<d> set = gauss_digitize<d>(shape, h, &work);
+  if (boundary(set) != expected) return state.SkipWithError("differs from one thread");
+  run(state, expected.size(), [&] { return gauss_digitize<d>(shape, h); });
+  const double surfels = double(expected.size());
+  state.counters["predicate_calls_per_surfel"] = double(work.points + work.boxes) / surfels;
+  state.counters["bytes_per_surfel"] = double(set.memory()) / surfels;
   state.counters["points_sampled"] = double(work.points);
   state.counters["boxes"] = double(work.boxes);
-  state.counters["memory"] = double(set.memory());
 }
 
 template <int d>
-void extract(benchmark::State& state, const std::string& spec) {
-  const DigitalSet<d> set = gauss_digitize<d>(*make_shape<d>(spec), {1.0 / double(state.range(0))});
-  run(state, set, [&] { return boundary(set); });
+void extract(benchmark::State& state, const Shape<d>& shape, GridStep h,
+             const std::vector<Surfel<d>>& expected) {
+  const DigitalSet<d> set = gauss_digitize<d>(shape, h);
+  if (boundary(set) != expected) return state.SkipWithError("differs from one thread");
+  run(state, expected.size(), [&] { return boundary(set); });
+}
+
+template <int d>
+void extract_in_chunks(benchmark::State& state, const Shape<d>& shape, GridStep h,
+                       const std::vector<Surfel<d>>& expected) {
+  const DigitalSet<d> set = gauss_digitize<d>(shape, h);
+  constexpr std::size_t kMost = 1 << 16;
+  std::vector<Surfel<d>> all;
+  for_each_boundary_chunk<d>(set, kMost,
+                             [&](auto chunk) { all.insert(all.end(), chunk.begin(), chunk.end()); });
+  if (all != expected) return state.SkipWithError("differs from the boundary as a whole");
+  run(state, expected.size(), [&] {
+    std::size_t count = 0;
+    for_each_boundary_chunk<d>(set, kMost, [&](auto chunk) { count += chunk.size(); });
+    return count;
+  });
+}
+
+template <int d>
+void connect(benchmark::State& state, const Shape<d>& shape, GridStep h,
+             const std::vector<Surfel<d>>& expected) {
+  const DigitalSet<d> set = gauss_digitize<d>(shape, h);
+  if (connected_boundary(set).surfels.size() != expected.size()) return state.SkipWithError("loses surfels");
+  run(state, expected.size(), [&] { return connected_boundary(set); });
 }
 
 template <int d>
@@ -83,19 +114,45 @@ void kernel(benchmark::State& state) {
 }
 
 template <int d>
-void add(const std::string& spec, const std::vector<std::int64_t>& inverse_steps) {
-  const GridStep coarse{2.0 / double(inverse_steps.front())};
-  const auto growth = d == 2 ? benchmark::oN : benchmark::oNSquared;  // that of the surface in 1/h
-  auto* const digitization = benchmark::RegisterBenchmark(
-      fmt::format("digitize/{}d/{}", d, spec).c_str(),
-      [spec, coarse](benchmark::State& state) { digitize<d>(state, spec, coarse); });
-  auto* const extraction =
-      benchmark::RegisterBenchmark(fmt::format("boundary/{}d/{}", d, spec).c_str(),
-                                   [spec](benchmark::State& state) { extract<d>(state, spec); });
-  for (auto* const row : {digitization, extraction}) {
-    row->ArgName("inv_h")->Unit(benchmark::kMillisecond)->Complexity(growth);
-    for (const std::int64_t n : inverse_steps) row->Arg(n);
+using Task = void(benchmark::State&, const Shape<d>&, GridStep, const std::vector<Surfel<d>>&);
+
+template <int d>
+void add(const std::string& work, Task<d>* task, const std::string& spec, double coarse, double h,
+         int threads) {
+  const std::string name = fmt::format("{}/{}d/{}/h:{}{}", work, d, spec, h,
+                                       threads > 1 ? fmt::format("/threads:{}", threads) : "");
+  auto* const row = benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) {
+    const auto shape = make_shape<d>(spec);
+    if (!equals_the_definition<d>(*shape, {coarse}))
+      return state.SkipWithError("differs from looking at every point");
+    const auto limited = [](int most) {
+      return tbb::global_control(tbb::global_control::max_allowed_parallelism, std::size_t(most));
+    };
+    std::vector<Surfel<d>> expected;
+    {
+      const auto one_thread = limited(1);
+      expected = boundary(gauss_digitize<d>(*shape, {h}));
+    }
+    const auto these_threads = limited(threads);
+    task(state, *shape, {h}, expected);
+  });
+  row->Unit(benchmark::kMillisecond);
+  if (threads > 1) row->UseRealTime();
+}
+
+/// Digitization and extraction at some steps; at the finest, all there is.
+template <int d>
+void add_all(const std::string& spec, const std::vector<double>& steps) {
+  const double coarse = 8 * steps.front();
+  for (const double h : steps) {
+    add<d>("digitize", digitize<d>, spec, coarse, h, 1);
+    add<d>("extract", extract<d>, spec, coarse, h, 1);
   }
+  const double h = steps.back();
+  add<d>("digitize", digitize<d>, spec, coarse, h, 2);
+  add<d>("extract", extract<d>, spec, coarse, h, 2);
+  add<d>("extract-chunks", extract_in_chunks<d>, spec, coarse, h, 1);
+  add<d>("connect", connect<d>, spec, coarse, h, 1);
 }
 
 }  // namespace
@@ -103,16 +160,18 @@ void add(const std::string& spec, const std::vector<std::int64_t>& inverse_steps
 
 int main(int argc, char** argv) {
   using namespace gridstep;
-  add<3>("sphere", {4, 8, 16});
-  add<3>("torus", {10, 20, 50});
-  add<3>("goursat", {4, 8, 16});
-  add<3>("rounded-cube", {4, 8, 16});
-  add<3>("leopold", {8, 16, 32});
-  add<3>("heart", {60, 120, 240});
-  add<2>("disk", {40, 160, 640});
-  add<2>("flower", {10, 40, 160});
-  add<2>("accflower", {10, 40, 160});
-  add<2>("lemniscate", {40, 160, 640});
+  add_all<3>("sphere", {0.08, 0.04, 0.02});
+  add_all<3>("torus", {0.08, 0.04, 0.02});
+  add_all<3>("goursat", {0.2, 0.1, 0.05});
+  add_all<3>("rounded-cube", {0.2, 0.1, 0.05});
+  add_all<3>("leopold", {0.1, 0.05, 0.025});
+  add_all<3>("heart", {0.02, 0.01, 0.005});
+  add_all<3>("distel", {0.2, 0.1, 0.05});
+  add_all<2>("disk", {0.01, 0.001});
+  add_all<2>("ellipse", {0.01, 0.001});
+  add_all<2>("flower", {0.01, 0.001});
+  add_all<2>("accflower", {0.01, 0.001});
+  add_all<2>("lemniscate", {0.01, 0.001});
   const auto kernels = [](auto* const row, benchmark::BigO growth, std::vector<std::int64_t> radii) {
     row->ArgName("R")->Unit(benchmark::kMillisecond)->Complexity(growth);
     for (const std::int64_t R : radii) row->Arg(R);

@@ -1,119 +1,173 @@
-// Integral invariants over whole surfaces, one thread: evaluation alone, after init() and with the surfels at
-// hand. Names are invariant/<dimension>/<sums>/<strategy>/R:<R/h>; every strategy is compared with `full` on
-// the same surfels before it is timed.
+// Integral invariants over surfaces and contours: evaluation alone, after init() and with the surfels at hand. Names
+// are invariant/<dimension>/<sums>/<strategy>/R:<R/h>, on one thread; `bricks` has rows for two threads and for each
+// lesser instruction set too.
+//
+// `ns_per_surfel` is processor time, of all threads, in the quickest iteration: a busy machine only adds to it. `growth`
+// is the power of R/h fitted to it, on this row and those with smaller R/h. Every strategy is compared with `full`, on
+// all surfels or on a sample of them, before it is timed.
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 #include <tbb/global_control.h>
 
+#include <cmath>
 #include <ctime>
+#include <limits>
 #include <map>
 
+#include "bench/heap_use.hpp"
+#include "estimators/integral_invariant/bricks/targets.hpp"
 #include "estimators/integral_invariant/surfel_sums.hpp"
+#include "shapes/analytic/catalogue.hpp"
 #include "shapes/digital/boundary.hpp"
 #include "shapes/digital/gauss_digitize.hpp"
 
 namespace gridstep {
 namespace {
 
-/// The ball around a point off the lattice; h = 1, so that lengths are in cells.
-template <int d>
-class OffCentreBall final : public Region<d> {
- public:
-  explicit OffCentreBall(double radius) : radius_(radius) {
-    for (int k = 0; k < d; ++k) centre_[k] = 0.13 + 0.24 * k;
-  }
-  RealBox<d> bounds() const override { return {centre_.array() - radius_, centre_.array() + radius_}; }
-  AffineBound<d> bound(const RealBox<d>& box) const override {
-    // |p - c|^2 - radius^2 around the middle m of the box, but for |p - m|^2 and the rounding of inside().
-    const RealPoint<d> middle = box.center(), from_centre = middle - centre_;
-    return {middle, from_centre.squaredNorm() - radius_ * radius_, 2 * from_centre,
-            box.sizes().squaredNorm() / 4 * (1 + 1e-12) + 1e-12 * radius_ * radius_};
-  }
-  std::uint64_t inside(std::span<const RealPoint<d>> points) const override {
-    std::uint64_t result = 0;
-    for (std::size_t i = 0; i < points.size(); ++i)
-      result |= std::uint64_t((points[i] - centre_).squaredNorm() <= radius_ * radius_) << i;
-    return result;
-  }
-
- private:
-  RealPoint<d> centre_;
-  double radius_;
-};
-
+/// Part of a digital boundary, or all of it.
 template <int d>
 struct Surface {
   DigitalSet<d> set;
   std::vector<Surfel<d>> surfels;
+  std::size_t of;  ///< surfels of the whole boundary
 };
 
-/// The surfaces are large enough for kernels to be mostly cut, and as small as `full` at the largest R/h
-/// needs.
+/// A sphere of radius 5, or the flower 20 + 10 cos(6 t + 3), at the grid step h at which R = 3 h^1/3 is R/h cells, as in
+/// studies: how many cells the kernel's boundary crosses near the shape's depends on both. Of more than two million
+/// surfels, as many in one piece, neither at a pole nor at the equator.
 template <int d>
-const Surface<d>& surface() {
-  static const Surface<d> result = [] {
-    DigitalSet<d> set = gauss_digitize<d>(OffCentreBall<d>(d == 2 ? 400 : 60), {1});
+const Surface<d>& surface(double R) {
+  static std::map<double, Surface<d>> known;
+  auto found = known.find(R);
+  if (found == known.end()) {
+    const auto shape =
+        make_shape<d>(d == 2 ? "flower:radius=20,amplitude=10,petals=6,phase=3" : "sphere:radius=5");
+    DigitalSet<d> set = gauss_digitize<d>(*shape, {std::pow(3 / R, 1.5)});
     std::vector<Surfel<d>> surfels = boundary(set);
-    return Surface<d>{std::move(set), std::move(surfels)};
-  }();
-  return result;
+    const std::size_t of = surfels.size(), most = 2'000'000;
+    if (of > most) {
+      const auto first = surfels.begin() + std::ptrdiff_t(of / 5);
+      surfels = std::vector(first, first + most);
+    }
+    found = known.emplace(R, Surface<d>{std::move(set), std::move(surfels), of}).first;
+  }
+  return found->second;
 }
 
 template <int d, class Sum>
 using Pairs = std::vector<typename SurfelSums<d, Sum>::Pair>;
 
+/// What `full` gives at every stride-th surfel.
 template <int d, class Sum>
-Pairs<d, Sum> evaluate(double R, Evaluation evaluation) {
-  SurfelSums<d, Sum> sums(surface<d>().set, {evaluation, KernelCentre::spels});
-  sums.init({1}, {R});
-  return sums.eval(surface<d>().surfels);
-}
+struct Sample {
+  std::size_t stride;
+  Pairs<d, Sum> expected;
+};
 
-/// What `full` gives; computed once for each radius.
 template <int d, class Sum>
-const Pairs<d, Sum>& reference(double R) {
-  static std::map<double, Pairs<d, Sum>> known;
+const Sample<d, Sum>& sample(double R) {
+  static std::map<double, Sample<d, Sum>> known;
   auto found = known.find(R);
-  if (found == known.end()) found = known.emplace(R, evaluate<d, Sum>(R, Evaluation::full)).first;
+  if (found == known.end()) {
+    const Surface<d>& on = surface<d>(R);
+    SurfelSums<d, Sum> sums(on.set, {Evaluation::full, KernelCentre::spels});
+    sums.init({1}, {R});
+    const std::size_t stride = on.surfels.size() * std::size_t(sums.work().kernel_size) / 300'000'000 + 1;
+    std::vector<Surfel<d>> surfels;
+    for (std::size_t i = 0; i < on.surfels.size(); i += stride) surfels.push_back(on.surfels[i]);
+    found = known.emplace(R, Sample<d, Sum>{stride, sums.eval(surfels)}).first;
+  }
   return found->second;
 }
 
 template <int d, class Sum>
-void invariant(benchmark::State& state, Evaluation evaluation) {
-  const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
-  const double R = double(state.range(0));
-  const auto& surfels = surface<d>().surfels;
-  SurfelSums<d, Sum> sums(surface<d>().set, {evaluation, KernelCentre::spels});
-  sums.init({1}, {R});
-  if (evaluation != Evaluation::full) {
-    const Pairs<d, Sum> own = sums.eval(surfels);
-    const Pairs<d, Sum>& expected = reference<d, Sum>(R);
-    for (std::size_t i = 0; i < surfels.size(); ++i)
-      if (!(own[i].inner == expected[i].inner && own[i].outer == expected[i].outer)) {
-        state.SkipWithError("differs from the full kernel");
-        return;
-      }
+bool equals_full(const Pairs<d, Sum>& own, double R) {
+  const auto& [stride, expected] = sample<d, Sum>(R);
+  for (std::size_t i = 0; i * stride < own.size(); ++i)
+    if (!(own[i * stride].inner == expected[i].inner && own[i * stride].outer == expected[i].outer))
+      return false;
+  return true;
+}
+
+/// Surfels that a strategy gets through in a few seconds.
+template <int d, class Sum>
+std::size_t affordable(double R, Evaluation evaluation) {
+  const double cells = evaluation == Evaluation::full    ? 4 * std::pow(R, d)
+                       : evaluation == Evaluation::masks ? 6 * std::pow(R, d - 1)
+                                                         : 10 * std::pow(R, d - 2);
+  const double cost = evaluation == Evaluation::bricks && sizeof(Sum) > 8 ? 6 : 1;
+  return std::size_t(4e9 / (cells * cost));
+}
+
+/// The slope of log y against log x, by least squares.
+double fitted_power(const std::map<double, double>& y_of_x) {
+  double x = 0, y = 0, xx = 0, xy = 0;
+  for (const auto& [a, b] : y_of_x) {
+    x += std::log(a);
+    y += std::log(b);
+    xx += std::log(a) * std::log(a);
+    xy += std::log(a) * std::log(b);
   }
-  const std::clock_t begin = std::clock();  // of the process, which has one thread
-  for (auto _ : state) benchmark::DoNotOptimize(sums.eval(surfels));
-  const double seconds = double(std::clock() - begin) / CLOCKS_PER_SEC;
-  state.SetComplexityN(state.range(0));
-  state.counters["ns_per_surfel"] = 1e9 * seconds / (double(state.iterations()) * double(surfels.size()));
-  state.counters["surfels"] = double(surfels.size());
+  const auto n = double(y_of_x.size());
+  return (n * xy - x * y) / (n * xx - x * x);
+}
+
+struct Row {
+  Evaluation evaluation;
+  std::string target = "";  ///< of bricks; empty: the one that programs take
+  std::size_t threads = 1;
+};
+
+template <int d, class Sum>
+void invariant(benchmark::State& state, const Row& row, std::map<double, double>& times) {
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, row.threads);
+  static const std::string usual = bricks::target().name;
+  bricks::use_target(row.target.empty() ? usual : row.target);
+  const double R = double(state.range(0));
+  const Surface<d>& on = surface<d>(R);
+  const std::span<const Surfel<d>> surfels(on.surfels.data(),
+                                           std::min(on.surfels.size(), affordable<d, Sum>(R, row.evaluation)));
+  const auto n = double(surfels.size());
+  SurfelSums<d, Sum> sums(on.set, {row.evaluation, KernelCentre::spels});
+  const std::int64_t before = heap::bytes;
+  sums.init({1}, {R});
+  const std::int64_t after = heap::peak = heap::bytes.load();
+  {
+    const Pairs<d, Sum> own = sums.eval(surfels);
+    const double held = double(heap::peak - after) - double(own.size() * sizeof(own[0]));
+    state.counters["bytes_per_surfel"] = double(on.set.memory()) / double(on.of) + held / n;
+    state.counters["table_bytes"] = double(after - before);
+    if (row.evaluation != Evaluation::full && !equals_full<d, Sum>(own, R)) {
+      state.SkipWithError("differs from the full kernel");
+      return;
+    }
+  }
+  double seconds = std::numeric_limits<double>::infinity();
+  for (auto _ : state) {
+    const std::clock_t begin = std::clock();
+    benchmark::DoNotOptimize(sums.eval(surfels));
+    seconds = std::min(seconds, double(std::clock() - begin) / CLOCKS_PER_SEC);
+  }
+  times[R] = 1e9 * seconds / n;
+  state.counters["ns_per_surfel"] = times[R];
+  if (times.size() > 1) state.counters["growth"] = fitted_power(times);
+  state.counters["surfels"] = n;
   state.counters["cells_visited"] = double(sums.work().cells_visited);
   state.counters["restarts"] = double(sums.work().restarts);
 }
 
-/// `growth` is what the time of a surfel is known to grow like in R/h.
 template <int d, class Sum>
-void add(const std::string& sums, Evaluation evaluation, const std::vector<std::int64_t>& radii,
-         benchmark::BigO growth) {
-  auto* const row = benchmark::RegisterBenchmark(
-      fmt::format("invariant/{}d/{}/{}", d, sums, to_string(evaluation)).c_str(),
-      [evaluation](benchmark::State& state) { invariant<d, Sum>(state, evaluation); });
-  row->ArgName("R")->Unit(benchmark::kMillisecond)->Complexity(growth);
-  for (const std::int64_t R : radii) row->Arg(R);
+void add(const std::string& sums, const Row& row, const std::vector<std::int64_t>& radii) {
+  std::string name = fmt::format("invariant/{}d/{}/{}", d, sums, to_string(row.evaluation));
+  if (!row.target.empty()) name += "/" + row.target;
+  if (row.threads > 1) name += fmt::format("/threads:{}", row.threads);
+  auto* const family = benchmark::RegisterBenchmark(
+      name.c_str(), [row, times = std::map<double, double>()](benchmark::State& state) mutable {
+        invariant<d, Sum>(state, row, times);
+      });
+  family->ArgName("R")->Unit(benchmark::kMillisecond);
+  for (const std::int64_t R : radii) family->Arg(R);
 }
 
 }  // namespace
@@ -122,13 +176,25 @@ void add(const std::string& sums, Evaluation evaluation, const std::vector<std::
 int main(int argc, char** argv) {
   using namespace gridstep;
   using enum Evaluation;
-  using namespace benchmark;
-  add<3, PlainSum<3, std::int64_t>>("count", full, {5, 10, 20, 40}, oNCubed);
-  add<3, PlainSum<3, std::int64_t>>("count", masks, {5, 10, 20, 40}, oNSquared);
-  add<3, MomentSums<3, std::int64_t>>("moments", full, {5, 10, 20}, oNCubed);
-  add<3, MomentSums<3, std::int64_t>>("moments", masks, {5, 10, 20}, oNSquared);
-  add<2, PlainSum<2, std::int64_t>>("count", full, {20, 90, 171}, oNSquared);
-  add<2, PlainSum<2, std::int64_t>>("count", masks, {20, 90, 171}, oN);
+  using Count2 = PlainSum<2, std::int64_t>;
+  using Count3 = PlainSum<3, std::int64_t>;
+  using Moments3 = MomentSums<3, std::int64_t>;
+  add<3, Count3>("count", {full}, {5, 10, 20});
+  add<3, Count3>("count", {masks}, {5, 10, 20, 40, 80});
+  add<3, Count3>("count", {bricks}, {10, 20, 40, 80, 160});
+  add<3, Count3>("count", {bricks, "", 2}, {40});
+  add<3, Moments3>("moments", {full}, {5, 10, 20});
+  add<3, Moments3>("moments", {masks}, {5, 10, 20, 40, 80});
+  add<3, Moments3>("moments", {bricks}, {10, 20, 40, 80, 160});
+  add<2, Count2>("count", {full}, {20, 90, 171});
+  add<2, Count2>("count", {masks}, {20, 90, 171, 500});
+  add<2, Count2>("count", {bricks}, {20, 90, 171, 500, 2000});
+  const std::vector<bricks::Target>& targets = bricks::targets();
+  for (std::size_t i = 1; i < targets.size(); ++i) {
+    add<3, Count3>("count", {bricks, targets[i].name}, {20, 40});
+    add<3, Moments3>("moments", {bricks, targets[i].name}, {20, 40});
+    add<2, Count2>("count", {bricks, targets[i].name}, {171});
+  }
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
   benchmark::RunSpecifiedBenchmarks();

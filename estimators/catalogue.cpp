@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 
 #include "shapes/base/contracts.hpp"
 
@@ -11,12 +10,6 @@ namespace gridstep {
 #define GRIDSTEP_ESTIMATOR(id) EstimatorEntry describe_##id();
 #include "estimators/catalogue.inc"
 #undef GRIDSTEP_ESTIMATOR
-
-const std::vector<double>& Estimates::operator[](const std::string& quantity) const {
-  const auto found = std::find(quantities.begin(), quantities.end(), quantity);
-  expects(found != quantities.end(), "a quantity of this estimator");
-  return columns[std::size_t(found - quantities.begin())];
-}
 
 template <>
 const EstimatorEntry::Variant<2>& EstimatorEntry::variant<2>() const {

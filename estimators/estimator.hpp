@@ -22,13 +22,16 @@ struct Estimates {
 
 /// What an estimator did: deterministic, whatever the number of threads.
 struct EstimatorWork {
-  std::int64_t evaluations = 0;    ///< points at which the kernel was evaluated (spels serve several surfels)
+  std::int64_t evaluations = 0;  ///< points at which the kernel was evaluated (spels serve several surfels)
   /// Cells of the digital set that were read; by Evaluation::bricks, bricks and runs of bricks.
   std::int64_t cells_visited = 0;
-  std::int64_t restarts = 0;       ///< whole-kernel evaluations among incremental ones
-  std::int64_t kernel_size = 0;    ///< cells of one kernel
+  std::int64_t restarts = 0;     ///< whole-kernel evaluations among incremental ones
+  std::int64_t kernel_size = 0;  ///< cells of one kernel
   /// Cells gained by each displacement mask (as many are lost), in the order of DisplacementMasks::steps().
   std::vector<std::int64_t> mask_sizes;
+
+  /// Of two ranges of surfels, with one kernel.
+  EstimatorWork& operator+=(const EstimatorWork& other);
 };
 
 /// A local estimator on the boundary of a digital set. It sees the set, the grid step and the radius, and

@@ -1,6 +1,7 @@
 #include "experiments/memory.hpp"
 
 #include <fmt/format.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -26,27 +27,47 @@ double available_memory() {
 }  // namespace
 
 template <int d>
-double predicted_memory(const RealBox<d>& bounds, GridStep h, DigitalLength radius, bool moments,
-                        Evaluation evaluation, int threads) {
-  const double r = radius.value, pi = std::numbers::pi;
+double predicted_surfels(const RealBox<d>& bounds, GridStep h) {
   const RealPoint<d> cells = bounds.sizes() / h.value;
   double surfels = 0;
   for (int axis = 0; axis < d; ++axis) surfels += 2 * cells.prod() / cells[axis];
+  return surfels;
+}
 
-  // A surfel, its spels and their sums, its columns of estimates and of truth.
-  const double for_each_surfel = moments ? 600 : 200;
+template <int d>
+double predicted_set_memory(const RealBox<d>& bounds, GridStep h) {
   const double bricks_for_each_surfel = 64.0 * (d == 2 ? 1.0 / 16 : 1.0 / 40);
   const double page_cells = d == 2 ? 0x1p19 : 0x1p15;
-  const double index = 4 * cells.prod() / page_cells;
+  const RealPoint<d> cells = bounds.sizes() / h.value;
+  return predicted_surfels<d>(bounds, h) * bricks_for_each_surfel + 4 * cells.prod() / page_cells;
+}
 
-  const double set = surfels * (for_each_surfel + bricks_for_each_surfel) + index;
-  // Half-widths for each line of the ball, and in 3D their prefix sums, for 64 alignments.
-  if (evaluation == Evaluation::bricks) return set + (d == 2 ? 256 * r : 1000 * r * r) + 0x1p16;
+double predicted_surfel_memory(bool moments) {
+  return moments ? 600 : 200;
+}
+
+template <int d>
+double predicted_table_memory(DigitalLength radius, bool moments, Evaluation evaluation, int threads) {
+  const double r = radius.value, pi = std::numbers::pi;
+  // Half-widths for each line of the ball and their prefix sums, for all alignments.
+  if (evaluation == Evaluation::bricks) return (d == 2 ? 1200 * r : (moments ? 3000 : 500) * r * r) + 0x1p16;
   const double kernel = (d == 2 ? pi * r * r : 4 * pi / 3 * r * r * r) * 16;
   const double masks = evaluation == Evaluation::full ? 0 : (d == 2 ? 8 * 5 * r : 231 * r * r) * 16;
   const double dense_kernel = evaluation == Evaluation::full ? 0 : 8 * std::pow(2 * r + 5, d);
   const double window = std::pow(std::max(2 * r + (d == 2 ? 256 : 32), 3 * r), d);
-  return set + kernel + masks + dense_kernel + threads * window;
+  return kernel + masks + dense_kernel + threads * window;
+}
+
+double peak_memory() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return 1024.0 * double(usage.ru_maxrss);
+}
+
+std::string memory_report(double predicted, std::int64_t surfels) {
+  const double peak = peak_memory(), gib = 0x1p30;
+  return fmt::format("peak memory {:.3g} GiB ({:.3g} bytes a surfel), predicted {:.3g} GiB", peak / gib,
+                     peak / double(surfels), predicted / gib);
 }
 
 void require_memory(double bytes, const std::string& what) {
@@ -56,7 +77,12 @@ void require_memory(double bytes, const std::string& what) {
                                  what, bytes / gib, available / gib));
 }
 
-template double predicted_memory<2>(const RealBox<2>&, GridStep, DigitalLength, bool, Evaluation, int);
-template double predicted_memory<3>(const RealBox<3>&, GridStep, DigitalLength, bool, Evaluation, int);
+#define GRIDSTEP_INSTANTIATE(d)                                         \
+  template double predicted_surfels<d>(const RealBox<d>&, GridStep);    \
+  template double predicted_set_memory<d>(const RealBox<d>&, GridStep); \
+  template double predicted_table_memory<d>(DigitalLength, bool, Evaluation, int);
+GRIDSTEP_INSTANTIATE(2)
+GRIDSTEP_INSTANTIATE(3)
+#undef GRIDSTEP_INSTANTIATE
 
 }  // namespace gridstep

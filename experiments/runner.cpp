@@ -4,7 +4,6 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <chrono>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -13,24 +12,13 @@
 #include "experiments/core/build_info.hpp"
 #include "experiments/core/journal.hpp"
 #include "experiments/core/progress.hpp"
+#include "experiments/job.hpp"
 #include "experiments/memory.hpp"
 #include "shapes/base/contracts.hpp"
-#include "shapes/scene.hpp"
 
 namespace gridstep {
 
 namespace {
-
-double seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-/// One digitization of a sweep: a shape, a noise, a level and a shift.
-struct Job {
-  const Sweep* sweep;
-  std::size_t shape, noise, level;
-  int shift;
-};
 
 std::vector<Job> jobs_of(const Study& study) {
   std::vector<Job> jobs;
@@ -60,146 +48,48 @@ double work_of(const Sweep& sweep, const Shape<d>& shape, GridStep h) {
   return surfels * reads;
 }
 
-/// Evaluates on one thread, several times where that is quick, and returns the shortest time.
-template <class Function>
-double timed(bool alone, Function evaluate) {
-  const auto once = [&] {
-    const auto start = std::chrono::steady_clock::now();
-    evaluate();
-    return seconds_since(start);
-  };
-  if (!alone) return once();
-  tbb::task_arena one_thread(1);
-  double best = std::numeric_limits<double>::infinity(), total = 0;
-  for (int i = 0; i < 5 && total < 0.1; ++i) {
-    const double seconds = one_thread.execute(once);
-    best = std::min(best, seconds);
-    total += seconds;
-  }
-  return best;
-}
-
-/// The truth where the values of some estimators of a sweep belong.
-struct TruthAt {
-  Truth truth;
-  double seconds;
-};
-
 template <int d>
-std::map<ValuePosition, TruthAt> truths_of(const Sweep& sweep, const Shape<d>& shape, const Scene<d>& scene) {
-  std::map<ValuePosition, std::vector<std::string>> columns;
-  for (const std::string& estimator : sweep.estimators) {
-    const auto& variant = find_estimator(estimator).variant<d>();
-    std::vector<std::string>& names = columns[variant.position];
-    for (const Compared& compared : compared_quantities(variant))
-      for (const std::string& name : compared.columns)
-        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
-  }
-  std::map<ValuePosition, TruthAt> truths;
-  for (const auto& [position, names] : columns) {
-    const auto start = std::chrono::steady_clock::now();
-    const GridStep h = scene.settings.h;
-    Truth truth = truth_at<d>(shape, scene.settings, value_points<d>(position, scene.surfels, h),
-                              farthest_from_boundary(position, h), names);
-    truths[position] = {std::move(truth), seconds_since(start)};
-  }
-  return truths;
-}
-
-template <int d>
-std::vector<Record> run_job(const Study& study, const Job& job, const Shape<d>& shape) {
-  const Sweep& sweep = *job.sweep;
-  const GridStep h{sweep.schedule.values()[job.level]};
-  SceneSettings<d> settings;
-  settings.h = h;
-  RandomStream random{study.seed, job.level, std::uint64_t(job.shift)};
-  settings.placement.shift = random_shift<d>(random);
-  if (sweep.rotate) settings.placement.rotation = random_rotation<d>(random);
-  settings.noise = sweep.noise[job.noise];
-  settings.noise_seed = random.bits();
-
-  const auto start = std::chrono::steady_clock::now();
-  const Scene<d> scene = make_scene<d>(shape, settings);
-  Record common;
-  common.seconds_digitize = seconds_since(start);
-
-  common.shape = sweep.shapes[job.shape].canonical();
-  common.dimension = d;
-  common.h = h.value;
-  common.noise = settings.noise;
-  common.rotated = sweep.rotate;
-  common.shift = job.shift;
-  common.offset.assign(settings.placement.shift.begin(), settings.placement.shift.end());
-  common.surfels = std::int64_t(scene.surfels.size());
-  common.components = std::int64_t(scene.components);
-
-  const std::map<ValuePosition, TruthAt> truths = truths_of(sweep, shape, scene);
-  std::vector<Record> records;
-  std::optional<Estimates> first_sums;  // of the method's estimator and radius
-  for (const Method& method : sweep.methods()) {
-    const auto& variant = find_estimator(method.estimator).variant<d>();
-    const auto& [truth, seconds_truth] = truths.at(variant.position);
-    Record record = common;
-    record.estimator = method.estimator;
-    record.singular = truth.singular;
-    record.far = truth.far;
-    record.worst_residual = truth.worst_residual;
-    record.seconds_truth = seconds_truth;
-    EuclideanLength R{0};
-    if (method.radius) {
-      R = method.radius->at(h);
-      record.evaluation = to_string(*method.evaluation);
-      record.centre = sweep.centre == KernelCentre::spels ? "spels" : "surfel";
-      record.k = method.radius->k;
-      record.alpha = method.radius->alpha;
-      record.digital_radius = to_digital(R, h).value;
-    }
-    const auto estimator =
-        variant.make(scene.set, {method.evaluation.value_or(Evaluation::masks), sweep.centre});
-    Estimates estimates;
-    record.seconds_init = timed(study.timing, [&] { estimator->init(h, R); });
-    record.seconds_eval = timed(study.timing, [&] { estimates = estimator->eval(scene.surfels); });
-    record.work = estimator->work();
-    if (method.evaluation == sweep.evaluations.front())
-      first_sums = estimator->raw();
-    else if (method.evaluation && estimator->raw().columns != first_sums->columns)
-      throw std::runtime_error(
-          fmt::format("{} at h = {}: the sums of evaluation '{}' differ from those of '{}'", common.shape,
-                      h.value, record.evaluation, to_string(sweep.evaluations.front())));
-    for (const Compared& compared : compared_quantities(variant)) {
-      const std::vector<double> errors = known_only(errors_of(compared, estimates, truth), truth);
-      if (!errors.empty()) record.errors.emplace_back(compared.name, error_norms(errors));
-    }
-    records.push_back(std::move(record));
-  }
-  return records;
-}
-
-/// Fails before anything is computed or written where the largest job of a sweep would not fit.
-void check_memory(const Sweep& sweep, const std::vector<AnyShape>& shapes) {
-  const GridStep h{sweep.schedule.values().back()};
+double predicted_job_memory(const Sweep& sweep, const Shape<d>& shape, GridStep h) {
   const int threads = tbb::this_task_arena::max_concurrency();
-  for (std::size_t i = 0; i < shapes.size(); ++i)
-    for (const Method& method : sweep.methods())
-      std::visit(
-          [&]<int d>(const std::shared_ptr<const Shape<d>>& shape) {
-            const DigitalLength radius =
-                method.radius ? to_digital(method.radius->at(h), h) : DigitalLength{1};
-            require_memory(predicted_memory<d>(shape->bounds(), h, radius, d == 3,
-                                               method.evaluation.value_or(Evaluation::masks), threads),
-                           fmt::format("{} at h = {:.6g}", sweep.shapes[i].canonical(), h.value));
-          },
-          shapes[i]);
+  const double surfels = predicted_surfels<d>(shape.bounds(), h);
+  SceneSettings<d> settings;
+  settings.noise = *std::max_element(sweep.noise.begin(), sweep.noise.end());
+  double bytes = predicted_set_memory<d>(shape.bounds(), h);
+  bytes += predicted_surfel_memory(d == 3) *
+           (comes_in_parts(settings) ? std::min(surfels, double(kSurfelsInPart)) : surfels);
+  for (const Method& method : sweep.methods()) {
+    bytes += double(sizeof(double)) * surfels * double(compared_quantities(method.estimator, d).size());
+    if (method.radius)
+      bytes +=
+          predicted_table_memory<d>(to_digital(method.radius->at(h), h), d == 3, *method.evaluation, threads);
+  }
+  return bytes;
 }
 
 }  // namespace
 
-std::vector<Record> run_study(const Study& study, const nlohmann::json& source, const RunOptions& options) {
-  std::map<const Sweep*, std::vector<AnyShape>> shapes;
+double predicted_memory(const Study& study) {
+  double most = 0;
   for (const Sweep& sweep : study.sweeps) {
-    for (const ShapeSpec& spec : sweep.shapes) shapes[&sweep].push_back(make_shape(spec));
-    check_memory(sweep, shapes[&sweep]);
+    const GridStep h{sweep.schedule.values().back()};
+    for (const ShapeSpec& spec : sweep.shapes) {
+      const double bytes = std::visit(
+          [&]<int d>(const std::shared_ptr<const Shape<d>>& shape) {
+            return predicted_job_memory<d>(sweep, *shape, h);
+          },
+          make_shape(spec));
+      require_memory(bytes, fmt::format("{} at h = {:.6g}", spec.canonical(), h.value));
+      most = std::max(most, bytes);
+    }
   }
+  return most;
+}
+
+std::vector<Record> run_study(const Study& study, const nlohmann::json& source, const RunOptions& options) {
+  predicted_memory(study);
+  std::map<const Sweep*, std::vector<AnyShape>> shapes;
+  for (const Sweep& sweep : study.sweeps)
+    for (const ShapeSpec& spec : sweep.shapes) shapes[&sweep].push_back(make_shape(spec));
 
   std::optional<Journal> journal;
   std::vector<Record> records;
@@ -230,7 +120,7 @@ std::vector<Record> run_study(const Study& study, const nlohmann::json& source, 
   };
   const auto work = [&](const Job& job) {
     return run(job, [&]<int d>(const std::shared_ptr<const Shape<d>>& shape) {
-      return work_of<d>(*job.sweep, *shape, {job.sweep->schedule.values()[job.level]});
+      return work_of<d>(*job.sweep, *shape, job.h());
     });
   };
   std::optional<Progress> progress;
@@ -260,9 +150,7 @@ std::vector<Record> run_study(const Study& study, const nlohmann::json& source, 
       }
       records.insert(records.end(), done.begin(), done.end());
     }
-    if (progress)
-      progress->advance(work(job),
-                        fmt::format("{} h = {:.4g}", spec.name, job.sweep->schedule.values()[job.level]));
+    if (progress) progress->advance(work(job), fmt::format("{} h = {:.4g}", spec.name, job.h().value));
   }
   return records;
 }

@@ -56,7 +56,7 @@ Sweep read_sweep(JsonReader& reader) {
       const EstimatorEntry& entry = find_estimator(name);
       dimension == 2 ? void(entry.variant<2>()) : void(entry.variant<3>());
     });
-  std::vector<Evaluation> evaluations{Evaluation::masks};
+  std::vector<Evaluation> evaluations{EstimatorOptions{}.evaluation};
   if (reader.has("evaluations")) {
     evaluations.clear();
     for (const std::string& name : reader.texts("evaluations"))

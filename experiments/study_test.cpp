@@ -75,7 +75,7 @@ TEST(Study, HasDocumentedDefaults) {
   EXPECT_EQ(study.seed, 1u);
   EXPECT_FALSE(study.timing);
   const Sweep& sweep = study.sweeps.at(0);
-  EXPECT_EQ(sweep.evaluations, std::vector<Evaluation>{Evaluation::masks});
+  EXPECT_EQ(sweep.evaluations, std::vector<Evaluation>{Evaluation::bricks});
   EXPECT_EQ(sweep.noise, std::vector<double>{0});
   EXPECT_EQ(sweep.centre, KernelCentre::spels);
   EXPECT_FALSE(sweep.rotate);

@@ -16,6 +16,7 @@ import sys
 import tempfile
 import time
 import unittest
+import zlib
 from pathlib import Path
 
 PROGRAM = None
@@ -60,10 +61,10 @@ class InFolder(unittest.TestCase):
         self.assertEqual(result.returncode, 0, result.stderr)
         return result
 
-    def must_fail(self, arguments, *named):
+    def must_fail(self, arguments, *named, **keywords):
         """One line on standard error that holds every text of `named`, and no trace in the folder."""
         before = self.files()
-        result = self.run_here(*arguments)
+        result = self.run_here(*arguments, **keywords)
         self.assertNotEqual(result.returncode, 0)
         self.assertGreater(result.returncode, 0, "killed by a signal")
         self.assertEqual(result.stdout, "")
@@ -84,7 +85,7 @@ class InFolder(unittest.TestCase):
 class WrongInput(InFolder):
     def test_commands(self):
         for arguments, named in [
-            ((), ["list, study, estimate or report"]),
+            ((), ["list, study, estimate, convert or report"]),
             (("frobnicate",), ["unknown command 'frobnicate'", "study"]),
             (("--frobnicate",), ["--frobnicate"]),
             (("list", "colours"), ["colours", "shapes"]),
@@ -109,7 +110,7 @@ class WrongInput(InFolder):
             ({"--shape": "disk:radius=3x"}, ["radius", "3x"]),
             ({"--shape": "disk:radius=1,radius=2"}, ["radius", "twice"]),
             ({"--shape": "disk:radius="}, ["radius"]),
-            ({"--shape": None}, ["--shape", "--image"]),
+            ({"--shape": None}, ["--shape", "--image", "--volume"]),
             ({"--shape": "disk:radius=0.01,cx=0.25,cy=0.25"}, ["disk:radius=0.01", "h = 0.5", "coarser"]),
             ({"--shape": "disk:cx=1e30"}, ["disk:cx=1e30", "h = 0.5"]),
             ({"--shape": "polynomial:formula=x^2+y^2-"}, ["polynomial", "x^2+y^2-", "character 9"]),
@@ -135,7 +136,13 @@ class WrongInput(InFolder):
             ({"--k": "0.1"}, ["R/h", "h = 0.5"]),
             ({"--k": None}, ["'ii'", "--radius", "--k"]),
             ({"--image": "disk.pgm"}, ["--image", "--shape"]),
-            ({"--threshold": "0,3"}, ["--threshold", "--image"]),
+            ({"--volume": "disk.vol"}, ["--volume", "--shape"]),
+            ({"--threshold": "0,3"}, ["--threshold", "--shape"]),
+            ({"--size": "1,1,1"}, ["--size", "--volume"]),
+            ({"--quantity": "mean"}, ["--quantity mean", "'ii'", "kappa"]),
+            ({"--quantity": "mean", "--estimator": None}, ["--quantity mean", "2D"]),
+            ({"--out": "out.ply"}, ["out.ply", ".csv, .npy"]),
+            ({"--out": "missing/out.npy"}, ["missing/out.npy"]),
             ({"--estimator": "bc"}, ["--k", "'bc'", "no radius"]),
             ({"--estimator": "ii,mdac"}, ["unknown estimator 'mdac'"]),
             ({"--k": None, "--radius": "0.4"}, ["R/h = 0.8", "R = 0.4", "h = 0.5"]),
@@ -211,7 +218,7 @@ class WrongInput(InFolder):
 
 class Help(unittest.TestCase):
     def test_every_command_has_an_example(self):
-        for command in ([], ["list"], ["study"], ["estimate"], ["report"]):
+        for command in ([], ["list"], ["study"], ["estimate"], ["convert"], ["report"]):
             with self.subTest(command=command):
                 result = run(*command, "--help")
                 self.assertEqual(result.returncode, 0)
@@ -303,6 +310,171 @@ class Image(InFolder):
         ]:
             with self.subTest(arguments=arguments):
                 self.must_fail(["estimate", "--image", *arguments], *named)
+
+
+class Volume(InFolder):
+    """A ball of radius 6 and a single voxel, 16 x 15 x 14."""
+
+    SIZE = (16, 15, 14)
+
+    def voxels(self):
+        inside = lambda x, y, z: (x - 7) ** 2 + (y - 7) ** 2 + (z - 7) ** 2 <= 36 or (x, y, z) == (15, 14, 13)
+        return bytes(inside(x, y, z) for z in range(14) for y in range(15) for x in range(16))
+
+    def header(self, more=""):
+        return "".join(f"{axis}: {size}\n" for axis, size in zip("XYZ", self.SIZE)) + more + ".\n"
+
+    def file(self, content, name="ball.vol"):
+        (self.folder / name).write_bytes(content)
+        return name
+
+    def ball(self):
+        return self.file(self.header("Version: 3\n").encode() + zlib.compress(self.voxels()))
+
+    def estimate(self, *arguments):
+        result = self.must_work("estimate", "--volume", *arguments, "--csv", "out.csv")
+        return result.stdout, list(csv.DictReader(io.StringIO((self.folder / "out.csv").read_text())))
+
+    def test_every_component(self):
+        text, table = self.estimate(self.ball(), "--radius", "3", "--quantity", "mean")
+        self.assertIn("components 2", text)
+        self.assertEqual(list(table[0]), ["kx", "ky", "kz", "x", "y", "z", "component", "mean"])
+        self.assertEqual([row["component"] for row in table], ["0"] * (len(table) - 6) + ["1"] * 6)
+        # The ball is the same set as that of the shape, far enough from the single voxel.
+        sphere = ("estimate", "--shape", "sphere:radius=6,cx=7,cy=7,cz=7", "--h", "1", "--radius", "3", "--quantity", "mean")
+        self.must_work(*sphere, "--csv", "sphere.csv")
+        shape = list(csv.DictReader(io.StringIO((self.folder / "sphere.csv").read_text())))
+        of = lambda rows: {(r["kx"], r["ky"], r["kz"]): r["mean"] for r in rows}
+        self.assertEqual(of(table[:-6]), of(shape))
+
+    def test_quantity_picks_the_estimator(self):
+        ball = self.ball()
+        for quantity, columns in [("gaussian", ["gaussian"]), ("normal", ["normal_x", "normal_y", "normal_z"])]:
+            text, table = self.estimate(ball, "--radius", "3", "--quantity", quantity)
+            self.assertIn("ii-covariance", text)
+            self.assertEqual(list(table[0])[7:], columns)
+        _, everything = self.estimate(ball)
+        _, five = self.estimate(ball, "--radius", "5", "--estimator", "ii-covariance")
+        self.assertEqual(everything, five)
+
+    def test_evaluations_have_equal_sums(self):
+        ball = self.ball()
+        tables = [
+            self.estimate(ball, "--radius", "4.5", "--raw", "--evaluation", evaluation)[1]
+            for evaluation in ("full", "masks", "bricks")
+        ]
+        self.assertEqual(tables[0], tables[1])
+        self.assertEqual(tables[0], tables[2])
+
+    def test_spacing_is_the_unit(self):
+        x, y, z = self.SIZE
+        nrrd = (
+            f"NRRD0004\ntype: uint8\ndimension: 3\nsizes: {x} {y} {z}\nencoding: raw\nspacings: 0.5 0.5 0.5\n\n"
+        ).encode() + self.voxels()
+        spaced = self.file(nrrd, "ball.nrrd")
+        _, table = self.estimate(spaced, "--radius", "1.5", "--quantity", "mean")
+        _, voxels = self.estimate(spaced, "--radius", "3", "--h", "1", "--quantity", "mean")
+        _, plain = self.estimate(self.ball(), "--radius", "3", "--quantity", "mean")
+        self.assertEqual(voxels, plain)
+        for row, other in zip(table, plain):
+            self.assertEqual(float(row["x"]), 0.5 * float(other["x"]))
+            self.assertAlmostEqual(float(row["mean"]), 2 * float(other["mean"]), places=12)
+
+    def test_all_files_or_none(self):
+        ball = self.ball()
+        outs = ["out.ply", "out.vtp", "out.obj", "out.npy", "more.csv"]
+        arguments = [part for out in outs for part in ("--out", out)]
+        self.must_work("estimate", "--volume", ball, "--radius", "3", *arguments)
+        self.assertEqual(self.files(), sorted([ball, *outs]))
+        for out in outs:
+            (self.folder / out).unlink()
+        self.must_fail(["estimate", "--volume", ball, "--radius", "3", *arguments, "--out", "missing/a.ply"], "missing")
+        self.must_fail(["estimate", "--volume", ball, "--radius", "3", *arguments, "--csv", "/dev/full"], "/dev/full")
+
+    def test_raw(self):
+        raw = self.file(b"".join(bytes([0, v]) for v in self.voxels()), "ball.raw")
+        _, table = self.estimate(raw, "--size", "16,15,14", "--type", "int16-be", "--radius", "3")
+        self.assertEqual(table, self.estimate(self.ball(), "--radius", "3")[1])
+        size = ["--size", "16,15,14"]
+        for arguments, named in [
+            ([raw], [raw, "--size"]),
+            ([raw, *size], [raw, "3360", "6720"]),
+            ([raw, "--size", "16,15,15", "--type", "int16"], [raw, "truncated", "7200", "6720"]),
+            ([raw, "--size", "16,15"], ["--size = 16,15"]),
+            ([raw, "--size", "16,15,x"], ["--size"]),
+            ([raw, "--size", "16,15,-14"], [raw, "-14"]),
+            ([raw, "--type", "int16"], ["--type", "--size"]),
+            ([raw, *size, "--type", "short"], ["'short'", "int16"]),
+            ([self.ball(), *size], ["ball.vol", "--size"]),
+        ]:
+            with self.subTest(arguments=arguments):
+                self.must_fail(["estimate", "--volume", *arguments, "--radius", "3"], *named)
+
+    def test_wrong_input(self):
+        ball = self.ball()
+        content = (self.folder / ball).read_bytes()
+        grey = self.file(self.header("Version: 2\n").encode() + bytes(i % 200 for i in range(16 * 15 * 14)), "grey.vol")
+        empty = self.file(self.header("Version: 2\n").encode() + bytes(16 * 15 * 14), "empty.vol")
+        cut = self.file(content[:-9], "cut.vol")
+        huge = self.file(b"X: 10000\nY: 10000\nZ: 10000\nVersion: 2\n.\n" + bytes(1000), "huge.vol")
+        bomb = self.file(b"X: 2\nY: 2\nZ: 2\nVersion: 3\n.\n" + zlib.compress(bytes(1 << 28)), "bomb.vol")
+        line = self.file(b"two\nlines\n", "two\nlines.vol")
+        for arguments, named in [
+            (["none.vol"], ["none.vol", "not found"]),
+            (["."], [".vol, .longvol"]),
+            (["ball.png"], ["ball.png", ".nii.gz"]),
+            ([grey], [grey, "from 0 to 199", "--threshold"]),
+            ([grey, "--threshold", "200,255"], [grey, "200", "255"]),
+            ([grey, "--threshold", "9,3"], ["--threshold", "9", "3"]),
+            ([grey, "--threshold", "nan,3"], ["--threshold", "nan"]),
+            ([grey, "--threshold", "9"], ["--threshold", "9"]),
+            ([empty], [empty, "no voxel"]),
+            ([cut], [cut, "zlib"]),
+            ([huge], [huge, "1000000000000 bytes", "1000"]),
+            ([bomb], [bomb, "more than the voxels"]),
+            ([line], ["two lines.vol", "'two'"]),
+            ([ball, "--radius", "0.5"], ["R/h = 0.5"]),
+            ([ball, "--radius", "1e9"], ["memory"]),
+            ([ball, "--h", "-1"], ["--h", "-1"]),
+            ([ball, "--estimator", "mdca"], ["'mdca'", "3D"]),
+            ([ball, "--quantity", "kappa"], ["kappa", "3D"]),
+            ([ball, "--shift", "0.1,0.2,0.3"], ["--shift"]),
+            ([ball, "--out", "out.stl"], ["out.stl", ".ply, .vtp, .obj"]),
+        ]:
+            with self.subTest(arguments=arguments):
+                self.must_fail(["estimate", "--volume", *arguments], *named)
+
+    def test_convert(self):
+        ball = self.ball()
+        self.must_work("convert", ball, "ball.nrrd")
+        self.must_work("convert", "ball.nrrd", "back.vol")
+        plain = (self.folder / "back.vol").read_bytes()
+        self.assertTrue(plain.endswith(b"Version: 2\n.\n" + self.voxels()))
+        self.must_work("convert", "--threshold", "0,0", ball, "none.longvol")
+        long = (self.folder / "none.longvol").read_bytes().split(b"\n.\n", 1)[1]
+        self.assertEqual(long, b"".join(bytes([1 - v, 0, 0, 0, 0, 0, 0, 0]) for v in self.voxels()))
+        wide = self.file(b"NRRD0001\ntype: short\ndimension: 3\nsizes: 1 1 1\nencoding: raw\nendian: big\n\n\1\0", "a.nrrd")
+        for arguments, named in [
+            ([wide, "a.vol"], ["a.nrrd", "256", "uint8"]),
+            ([wide, "a.png"], ["a.png", ".vti"]),
+            ([wide, "a.nii"], ["a.nii", ".vti"]),
+            (["none.vol", "a.vol"], ["none.vol", "not found"]),
+            ([wide, "missing/a.vti"], ["missing/a.vti"]),
+            ([wide], ["out"]),
+        ]:
+            with self.subTest(arguments=arguments):
+                self.must_fail(["convert", *arguments], *named)
+
+    def test_samples(self):
+        """The volume of the paper, where a copy of DGtal's samples is at hand."""
+        al = Path(os.environ.get("GRIDSTEP_SAMPLES", "samples")) / "Al.100.vol"
+        if not al.is_file():
+            self.skipTest(f"no {al}; GRIDSTEP_SAMPLES names the folder")
+        text, table = self.estimate(al, "--radius", "7", "--quantity", "gaussian", "--evaluation", "bricks")
+        self.assertIn("100 x 100 x 100 voxels of uint8, 70413 in [1, 1]", text)
+        for evaluation in ("full", "masks"):
+            other = self.estimate(al, "--radius", "7", "--quantity", "gaussian", "--evaluation", evaluation)[1]
+            self.assertEqual(table, other)
 
 
 class Estimate(InFolder):
@@ -420,12 +592,24 @@ class Estimate(InFolder):
     def test_evaluations_and_threads_agree(self):
         for base in (self.FLAT, (*self.SOLID, "--estimator", "ii-covariance")):
             texts = set()
-            for evaluation in ("full", "masks"):
+            for evaluation in ("full", "masks", "bricks"):
                 for threads in (1, 2):
                     options = ("--evaluation", evaluation, "--threads", threads, "--raw", "--csv", "out.csv")
                     self.must_work(*base, *options)
                     texts.add((self.folder / "out.csv").read_text())
             self.assertEqual(len(texts), 1)
+
+    def test_instruction_sets_agree(self):
+        unknown = {**os.environ, "GRIDSTEP_TARGET": "mmx"}
+        line = self.must_fail([*self.SOLID, "--estimator", "ii"], "GRIDSTEP_TARGET", "'mmx'", env=unknown).stderr
+        targets = line.split("runs: ")[1].strip().split(", ")
+        self.assertEqual(targets[-1], "plain")
+        texts = set()
+        for target in targets:
+            chosen = {**os.environ, "GRIDSTEP_TARGET": target}
+            self.must_work(*self.SOLID, "--estimator", "ii-covariance", "--raw", "--csv", "out.csv", env=chosen)
+            texts.add((self.folder / "out.csv").read_text())
+        self.assertEqual(len(texts), 1)
 
     def test_csv_on_standard_output(self):
         self.must_work(*self.FLAT, "--csv", "out.csv")

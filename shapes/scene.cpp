@@ -1,21 +1,34 @@
 #include "shapes/scene.hpp"
 
 #include <fmt/format.h>
-#include <tbb/enumerable_thread_specific.h>
-
 #include "shapes/base/parallel.hpp"
 #include "shapes/digital/kanungo_noise.hpp"
 
 namespace gridstep {
 
+namespace {
+
+/// Without surfels.
 template <int d>
-Scene<d> make_scene(const Shape<d>& shape, const SceneSettings<d>& settings) {
+Scene<d> digitized_scene(const Shape<d>& shape, const SceneSettings<d>& settings) {
   DigitizationWork work;
   const PlacedRegion<d> placed(shape, settings.placement, settings.h);
   DigitalSet<d> set = gauss_digitize<d>(placed, settings.h, &work);
   if (settings.noise > 0) set = kanungo_noise(set, settings.noise, settings.noise_seed);
-  Scene<d> scene{settings, std::move(set), {}, 0, work};
-  if (d == 2 || settings.noise > 0) {
+  return {settings, std::move(set), {}, 0, work};
+}
+
+[[noreturn]] void throw_empty(GridStep h) {
+  throw InputError(
+      fmt::format("h = {}: the digital set is empty; the grid step is coarser than the shape", h.value));
+}
+
+}  // namespace
+
+template <int d>
+Scene<d> make_scene(const Shape<d>& shape, const SceneSettings<d>& settings) {
+  Scene<d> scene = digitized_scene(shape, settings);
+  if (!comes_in_parts(settings)) {
     DigitalSurface<d> surface = connected_boundary(scene.set);
     scene.components = surface.components();
     if (settings.noise > 0 && scene.components > 1) surface.surfels.resize(surface.component_begin[1]);
@@ -23,10 +36,22 @@ Scene<d> make_scene(const Shape<d>& shape, const SceneSettings<d>& settings) {
   } else {
     scene.surfels = boundary(scene.set);
   }
-  if (scene.surfels.empty())
-    throw InputError(fmt::format("h = {}: the digital set is empty; the grid step is coarser than the shape",
-                                 settings.h.value));
+  if (scene.surfels.empty()) throw_empty(settings.h);
   return scene;
+}
+
+template <int d>
+void for_each_part(const Shape<d>& shape, const SceneSettings<d>& settings, std::size_t most,
+                   const std::function<void(const Scene<d>&)>& visit) {
+  if (!comes_in_parts(settings)) return visit(make_scene(shape, settings));
+  Scene<d> scene = digitized_scene(shape, settings);
+  bool empty = true;
+  for_each_boundary_chunk<d>(scene.set, most, [&](std::span<const Surfel<d>> surfels) {
+    empty = false;
+    scene.surfels.assign(surfels.begin(), surfels.end());
+    visit(scene);
+  });
+  if (empty) throw_empty(settings.h);
 }
 
 template <int d>
@@ -67,7 +92,7 @@ Truth truth_at(const Shape<d>& shape, const SceneSettings<d>& settings,
     std::int64_t singular = 0, far = 0;
     double worst_residual = 0;
   };
-  tbb::enumerable_thread_specific<Tally> tallies;
+  PerWorker<Tally> tallies;
   parallel_chunks(points.size(), 64, [&](std::size_t begin, std::size_t end) {
     Tally& tally = tallies.local();
     for (std::size_t i = begin; i != end; ++i) {
@@ -92,11 +117,11 @@ Truth truth_at(const Shape<d>& shape, const SceneSettings<d>& settings,
         truth.columns[q][i] = quantity_at<d>(*point, quantities[q]);
     }
   });
-  for (const Tally& tally : tallies) {
+  tallies.for_each([&](const Tally& tally) {
     truth.singular += tally.singular;
     truth.far += tally.far;
     truth.worst_residual = std::max(truth.worst_residual, tally.worst_residual);
-  }
+  });
   return truth;
 }
 
@@ -113,6 +138,8 @@ Truth truth_at_surfels(const Shape<d>& shape, const SceneSettings<d>& settings,
 
 #define GRIDSTEP_INSTANTIATE(d)                                                                            \
   template Scene<d> make_scene(const Shape<d>&, const SceneSettings<d>&);                                  \
+  template void for_each_part(const Shape<d>&, const SceneSettings<d>&, std::size_t,                       \
+                              const std::function<void(const Scene<d>&)>&);                                \
   template double quantity_at(const BoundaryPoint<d>&, const std::string&);                                \
   template Truth truth_at(const Shape<d>&, const SceneSettings<d>&, const std::vector<RealPoint<d>>&,      \
                           EuclideanLength, const std::vector<std::string>&);                               \

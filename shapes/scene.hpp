@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -34,6 +35,20 @@ struct Scene {
 /// @throws InputError where the digital set has no boundary: the step is coarser than the shape.
 template <int d>
 Scene<d> make_scene(const Shape<d>& shape, const SceneSettings<d>& settings);
+
+/// Whether surfels can be taken part by part: not in 2D and with noise, where they go by contours and components.
+template <int d>
+bool comes_in_parts(const SceneSettings<d>& settings) {
+  return d == 3 && settings.noise == 0;
+}
+
+/// Calls visit(scene) with the scene's set and successive parts of its surfels, in the same order, of at most `most`
+/// surfels each: for a boundary that is too large to be listed at once. Where it does not come in parts there is one, of
+/// any size. The scene is the same object each time.
+/// @throws InputError as make_scene().
+template <int d>
+void for_each_part(const Shape<d>& shape, const SceneSettings<d>& settings, std::size_t most,
+                   const std::function<void(const Scene<d>&)>& visit);
 
 /// The exact values at the boundary points closest to given points of the digital boundary: the answer key,
 /// kept apart from the scene.

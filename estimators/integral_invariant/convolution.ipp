@@ -1,7 +1,5 @@
 #pragma once
 
-#include <tbb/enumerable_thread_specific.h>
-
 #include <algorithm>
 #include <bit>
 #include <numeric>
@@ -164,14 +162,12 @@ std::vector<Sum> convolve(const ShapeFunctor& f, const Kernel<d, Weight>& kernel
     detail::AdjacencyWalk<d> walk;
     EvaluationWork work;
   };
-  tbb::enumerable_thread_specific<Scratch> scratches([&] {
-    return Scratch{
-        std::vector<Value>(std::size_t(layout.volume())), {}, detail::AdjacencyWalk<d>(block_side), {}};
-  });
+  PerWorker<Scratch> scratches({{}, {}, detail::AdjacencyWalk<d>(block_side), {}});
 
   std::vector<Sum> result(points.size());
   const auto evaluate_block = [&](std::size_t b) {
     Scratch& scratch = scratches.local();
+    scratch.window.resize(std::size_t(layout.volume()));
     const std::span members(order.data() + block_begin[b], block_begin[b + 1] - block_begin[b]);
     scratch.points.clear();
     for (const Member& member : members) scratch.points.push_back(points[member.point]);
@@ -209,11 +205,11 @@ std::vector<Sum> convolve(const ShapeFunctor& f, const Kernel<d, Weight>& kernel
     for (std::size_t b = begin; b != end; ++b) evaluate_block(b);
   });
   if (work)
-    for (const Scratch& scratch : scratches) {
+    scratches.for_each([&](const Scratch& scratch) {
       work->points += scratch.work.points;
       work->cells_visited += scratch.work.cells_visited;
       work->restarts += scratch.work.restarts;
-    }
+    });
   return result;
 }
 

@@ -18,6 +18,8 @@ namespace {
 
 using nlohmann::json;
 
+constexpr int kMaxDepth = 100;  // messages show values, by recursion
+
 /// "[json.exception.parse_error.101] parse error at line 2, column 3: what" without the name of the
 /// exception.
 std::string reason(const json::exception& error) {
@@ -56,20 +58,25 @@ json load_json(const std::filesystem::path& file) {
     throw InputError(
         fmt::format("{}: cannot be read: {}", file.string(), std::generic_category().message(reason_unread)));
 
+  return parse_json(*text, file.string());
+}
+
+json parse_json(const std::string& text, const std::string& source) {
   std::vector<std::set<std::string>> keys_of_open_objects;
-  const auto check_keys = [&](int, json::parse_event_t event, json& parsed) {
+  const auto check = [&](int depth, json::parse_event_t event, json& parsed) {
+    if (depth > kMaxDepth) throw InputError(fmt::format("{}: nested deeper than {}", source, kMaxDepth));
     if (event == json::parse_event_t::object_start) keys_of_open_objects.emplace_back();
     if (event == json::parse_event_t::object_end) keys_of_open_objects.pop_back();
     if (event == json::parse_event_t::key &&
         !keys_of_open_objects.back().insert(parsed.get<std::string>()).second)
       throw InputError(
-          fmt::format("{}: key '{}' is given twice in one object", file.string(), parsed.get<std::string>()));
+          fmt::format("{}: key '{}' is given twice in one object", source, parsed.get<std::string>()));
     return true;
   };
   try {
-    return json::parse(*text, check_keys);
+    return json::parse(text, check);
   } catch (const json::exception& error) {
-    throw InputError(fmt::format("{}: {}", file.string(), reason(error)));
+    throw InputError(fmt::format("{}: {}", source, reason(error)));
   }
 }
 

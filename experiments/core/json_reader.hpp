@@ -11,8 +11,11 @@
 namespace gridstep {
 
 /// The JSON in a file. @throws InputError in one line: the file and the system's reason, or the line and
-/// column of what is malformed, or the key an object has twice (JSON leaves open which one counts).
+/// column of what is malformed, or the key an object has twice (JSON leaves open which one counts), or that
+/// it is nested too deep.
 nlohmann::json load_json(const std::filesystem::path& file);
+/// The same of a text from `source`.
+nlohmann::json parse_json(const std::string& text, const std::string& source);
 
 /// Reads one JSON object strictly: a getter says which key and type it wants, finish() refuses keys nobody
 /// asked for, so a misspelt optional key is never ignored. Every failure is an InputError that names the

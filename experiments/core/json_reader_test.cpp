@@ -99,6 +99,13 @@ TEST(LoadJson, RefusesAKeyGivenTwice) {
             "key 'k' is given twice in one object");
 }
 
+TEST(LoadJson, DeepNestingIsAnErrorNotAnOverflow) {
+  const auto nested = [](std::size_t depth) { return std::string(depth, '[') + std::string(depth, ']'); };
+  EXPECT_NO_THROW(parse_json(nested(100), "text"));
+  for (const std::size_t depth : {102, 1000000})
+    EXPECT_EQ(failure_of([&] { parse_json(nested(depth), "text"); }), "text: nested deeper than 100");
+}
+
 TEST(LoadJson, SaysWhyAFileCannotBeRead) {
   EXPECT_EQ(failure_of([] { load_json("/nonexistent/study.json"); }),
             "/nonexistent/study.json: cannot be read: No such file or directory");

@@ -17,6 +17,7 @@ inline std::string not_negative(const std::string& text) {
 void add_list_command(CLI::App& program);
 void add_study_command(CLI::App& program);
 void add_estimate_command(CLI::App& program);
+void add_convert_command(CLI::App& program);
 void add_report_command(CLI::App& program);
 
 /// The report of the results in some folders, whole or not at all.

@@ -9,6 +9,17 @@
 #include "experiments/core/build_info.hpp"
 #include "experiments/program/commands.hpp"
 
+namespace {
+
+/// An error takes one line, also where it quotes a file or an option that holds more.
+void print_error(std::string message) {
+  for (char& c : message)
+    if (c == '\n' || c == '\r') c = ' ';
+  fmt::print(stderr, "gridstep: {}\n", message);
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
   CLI::App program{"gridstep: multigrid convergence of digital curvature estimators"};
   program.set_version_flag("--version", fmt::format("gridstep {} ({}{})", gridstep::build_info().version,
@@ -22,15 +33,18 @@ int main(int argc, char** argv) {
       "  gridstep list shapes\n"
       "  gridstep study paper-2d --quick --out results/raw/paper-2d\n"
       "  gridstep estimate --shape ellipse:a=20,b=7 --h 0.1 --estimator ii --k 5 --csv ellipse.csv\n"
+      "  gridstep estimate --volume al.vol --radius 7 --quantity gaussian --out al.ply\n"
       "  gridstep report results/raw/paper-2d\n"
       "A command tells more: gridstep estimate --help");
   gridstep::add_list_command(program);
   gridstep::add_study_command(program);
   gridstep::add_estimate_command(program);
+  gridstep::add_convert_command(program);
   gridstep::add_report_command(program);
   try {
     program.parse(argc, argv);
-    if (program.get_subcommands().empty()) throw CLI::RequiredError("A command: list, study, estimate or report");
+    if (program.get_subcommands().empty())
+      throw CLI::RequiredError("A command: list, study, estimate, convert or report");
     // A full disk shows when the buffer is written at the latest: after all the work, but not unnoticed.
     if (std::fflush(stdout) != 0)
       throw std::system_error(errno, std::generic_category(), "standard output cannot be written");
@@ -42,17 +56,18 @@ int main(int argc, char** argv) {
     const bool is_command =
         program.get_subcommands().empty() && !extras.empty() && !extras[0].starts_with('-');
     fmt::print(stderr, "gridstep: {}\n",
-               is_command ? fmt::format("unknown command '{}'; known: list, study, estimate, report", extras[0])
-                          : fmt::format("{} (see gridstep --help)", error.what()));
+               is_command
+                   ? fmt::format("unknown command '{}'; known: list, study, estimate, convert, report", extras[0])
+                   : fmt::format("{} (see gridstep --help)", error.what()));
     return 2;
   } catch (const CLI::ParseError& error) {
-    fmt::print(stderr, "gridstep: {} (see gridstep --help)\n", error.what());
+    print_error(fmt::format("{} (see gridstep --help)", error.what()));
     return 2;
   } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "gridstep: out of memory\n");
+    print_error("out of memory");
     return 1;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "gridstep: {}\n", error.what());
+    print_error(error.what());
     return 1;
   }
 }

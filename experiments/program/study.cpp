@@ -11,6 +11,7 @@
 #include "experiments/core/json_reader.hpp"
 #include "experiments/core/output_file.hpp"
 #include "experiments/core/provenance.hpp"
+#include "experiments/memory.hpp"
 #include "experiments/program/commands.hpp"
 #include "experiments/report/page.hpp"
 #include "experiments/runner.hpp"
@@ -59,8 +60,10 @@ void run(const Options& options) {
   const bool is_new = make_folder(folder);
   const fs::path journal = folder / "journal.jsonl";
   std::error_code ignored;
+  double predicted = 0;
   std::vector<Record> records;
   try {
+    predicted = predicted_memory(study);
     records = run_study(study, json, {journal, options.resume, stderr});
   } catch (const InputError&) {
     if (is_new) fs::remove(folder, ignored);  // unless there is something in it
@@ -77,6 +80,7 @@ void run(const Options& options) {
   summary["convergence"] = to_json(convergence);
   summary["cost"] = to_json(costs);
   summary["work_precision"] = to_json(work_precision);
+  summary["memory"] = {{"predicted_bytes", predicted}, {"peak_bytes", peak_memory()}};
   write_whole(folder / "records.jsonl", lines);
   write_whole(folder / "summary.json", summary.dump(1) + "\n");
 
@@ -92,10 +96,11 @@ void run(const Options& options) {
   const bool has_page = !page_template().empty();
   if (has_page) write_report({folder.string()}, folder / "report.html");
 
-  std::int64_t surfels = 0, singular = 0, far = 0;
+  std::int64_t surfels = 0, most_surfels = 0, singular = 0, far = 0;
   double residual = 0;
   for (const Record& record : records) {
     surfels += record.surfels;
+    most_surfels = std::max(most_surfels, record.surfels);
     singular += record.singular;
     far += record.far;
     residual = std::max(residual, record.worst_residual);
@@ -107,7 +112,8 @@ void run(const Options& options) {
              surfels, residual);
   if (singular + far > 0)
     fmt::print("; left out of the norms: {} at singular points, {} far from the boundary", singular, far);
-  fmt::print("\nwritten: {}\n", (folder / "records.jsonl").string());
+  fmt::print("\n{} in the largest digitization\n", memory_report(predicted, most_surfels));
+  fmt::print("written: {}\n", (folder / "records.jsonl").string());
   fmt::print("written: {}\n", (folder / "summary.json").string());
   if (has_page)
     fmt::print("written: {}\n", (folder / "report.html").string());

@@ -30,13 +30,27 @@ SceneSettings<3> settings_of(const Record& record) {
   return settings;
 }
 
+EuclideanLength radius_of(const Record& record) {
+  return record.takes_radius() ? RadiusRule{record.k, record.alpha}.at({record.h}) : EuclideanLength{0};
+}
+
+/// What wrong records ask for may be far too much.
+void require_memory_for(const Record& record, const Shape<3>& shape) {
+  const GridStep h{record.h};
+  const DigitalLength radius{std::max(1.0, to_digital(radius_of(record), h).value)};
+  const int threads = tbb::this_task_arena::max_concurrency();
+  require_memory(predicted_set_memory<3>(shape.bounds(), h) +
+                     predicted_surfels<3>(shape.bounds(), h) * predicted_surfel_memory(true) +
+                     predicted_table_memory<3>(radius, true, Evaluation::bricks, threads),
+                 record.estimator);
+}
+
 Estimates estimates_of(const Record& record, const Scene<3>& scene) {
   const KernelCentre centre = record.takes_radius() ? parse_kernel_centre(record.centre) : KernelCentre::spels;
   // All evaluations give the same values: this is the fastest one.
   const auto estimator =
       find_estimator(record.estimator).variant<3>().make(scene.set, {Evaluation::bricks, centre});
-  const GridStep h{record.h};
-  estimator->init(h, record.takes_radius() ? RadiusRule{record.k, record.alpha}.at(h) : EuclideanLength{0});
+  estimator->init({record.h}, radius_of(record));
   return estimator->eval(scene.surfels);
 }
 
@@ -79,11 +93,7 @@ Surface remake_surface(const std::vector<const Record*>& records) {
   try {
     const auto shape = make_shape<3>(first.shape);
     const SceneSettings<3> settings = settings_of(first);
-    for (const Record* record : records)
-      require_memory(predicted_memory<3>(shape->bounds(), settings.h,
-                                         DigitalLength{std::max(1.0, record->digital_radius)}, true,
-                                         Evaluation::bricks, tbb::this_task_arena::max_concurrency()),
-                     "the surface");
+    for (const Record* record : records) require_memory_for(*record, *shape);
     Scene<3> scene = make_scene<3>(*shape, settings);
     if (std::int64_t(scene.surfels.size()) != first.surfels)
       throw InputError(fmt::format("had {} surfels, and has {} with this program", first.surfels,

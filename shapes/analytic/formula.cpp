@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 #include <charconv>
 #include <cmath>
@@ -15,6 +16,13 @@ namespace {
 constexpr int kMaxDegree = 64;
 constexpr int kMaxDepth = 200;  // of nested parentheses and signs: the parser recurses
 constexpr std::size_t kMaxOperations = 10000;
+
+/// In one line of a message, whatever the text is.
+std::string shown(std::string text) {
+  for (char& c : text)
+    if (std::iscntrl(static_cast<unsigned char>(c))) c = '?';
+  return text;
+}
 
 }  // namespace
 
@@ -30,15 +38,15 @@ class Formula::Parser {
 
   Term parse() {
     const Term term = sum();
-    if (peek() != '\0') fail("an operator or the end");
+    if (peek() != '\0' || at_ < text_.size()) fail("an operator or the end");
     return term;
   }
 
  private:
   [[noreturn]] void fail(const std::string& expected) const {
-    throw InputError(
-        fmt::format("polynomial '{}': expected {} at character {}{}", text_, expected, at_ + 1,
-                    at_ < text_.size() ? fmt::format(", not '{}'", text_[at_]) : ", where it ends"));
+    throw InputError(fmt::format(
+        "polynomial '{}': expected {} at character {}{}", shown(text_), expected, at_ + 1,
+        at_ < text_.size() ? fmt::format(", not '{}'", shown(text_.substr(at_, 1))) : ", where it ends"));
   }
   char peek() {
     while (at_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[at_]))) ++at_;
@@ -62,12 +70,17 @@ class Formula::Parser {
     a = kind == Kind::sum ? a + b : kind == Kind::difference ? a - b : a * b;
     return {int(all.size()) - 1, degree};
   }
+  /// Appends an operation, or finds it where it was done before.
   Term emit(Operation operation, int degree) {
     if (degree > kMaxDegree) fail(fmt::format("a degree of at most {} before", kMaxDegree));
-    if (formula_.operations_.size() >= kMaxOperations)
-      fail(fmt::format("at most {} operations", kMaxOperations));
-    formula_.operations_.push_back(operation);
-    return {int(formula_.operations_.size()) - 1, degree};
+    std::vector<Operation>& all = formula_.operations_;
+    if (operation.kind != Kind::constant) {  // these may still be folded
+      const auto known = std::find(all.begin(), all.end(), operation);
+      if (known != all.end()) return {int(known - all.begin()), degree};
+    }
+    if (all.size() >= kMaxOperations) fail(fmt::format("at most {} operations", kMaxOperations));
+    all.push_back(operation);
+    return {int(all.size()) - 1, degree};
   }
 
   Term sum() {

@@ -9,7 +9,7 @@
 namespace gridstep {
 
 /// A polynomial in x, y, z as it was written: a list of operations on registers, kept in the order of the
-/// text, so that doubles, intervals and derivatives are all evaluated alike.
+/// text, so that doubles, intervals and derivatives are all evaluated alike. What the text repeats is done once.
 ///
 ///   sum = product {("+" | "-") product};  product = power {("*" | "/") power};  power = ["-" | "+"] atom
 ///   ["^" integer] atom = number | "x" | "y" | "z" | "(" sum ")";  a divisor must be a number other than 0
@@ -68,6 +68,7 @@ class Formula {
     Kind kind;
     int left = 0, right = 0;  // registers, or the number of the variable
     double number = 0;
+    friend bool operator==(const Operation&, const Operation&) = default;
   };
   class Parser;
 

@@ -119,6 +119,12 @@ INSTANTIATE_TEST_SUITE_P(
         BadFormula{"sin(x)", {"character 1", "'s'"}}, BadFormula{"x;y", {"character 2", "';'"}},
         BadFormula{"X", {"character 1", "'X'"}}));
 
+TEST(FormulaErrors, TakeOneLineWhateverTheTextIs) {
+  EXPECT_EQ(error_of("x\n\x1b"), "polynomial 'x??': expected an operator or the end at character 3, not '?'");
+  EXPECT_EQ(error_of(std::string("x\0y", 3)),
+            "polynomial 'x?y': expected an operator or the end at character 2, not '?'");
+}
+
 TEST(FormulaLimits, DeepNestingIsAnErrorNotAnOverflow) {
   EXPECT_EQ(at(Formula(std::string(150, '(') + "x" + std::string(150, ')')), 3), 3);
   for (const std::string& text : {std::string(1000000, '('), std::string(1000000, '-')})

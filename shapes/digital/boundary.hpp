@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+#include <span>
 #include <vector>
 
 #include "shapes/digital/digital_set.hpp"
@@ -9,9 +11,16 @@ namespace gridstep {
 
 /// All surfels between a point of the set and one outside it, over all components of the boundary. Found
 /// brick by brick with shifts, no walk and no hash table: order of bricks, then axis, sign, and bit. Cost
-/// O(h^-(d-1)).
+/// O(h^-(d-1)). Runs on all threads of the current arena; the result does not depend on their number.
 template <int d>
 std::vector<Surfel<d>> boundary(const DigitalSet<d>& set);
+
+/// The surfels of boundary() in the same order, never all of them at once: visit() gets one chunk after the
+/// other, of whole bricks with at most `most` surfels, or one brick that alone has more, up to 1536. Chunks are
+/// not empty and valid during the call. Memory O(most).
+template <int d>
+void for_each_boundary_chunk(const DigitalSet<d>& set, std::size_t most,
+                             const std::function<void(std::span<const Surfel<d>>)>& visit);
 
 /// How the surface is followed where two inner spels, and two outer ones, touch only across a (d-2)-cell.
 /// interior: the two inner spels are not connected there; exterior: they are.

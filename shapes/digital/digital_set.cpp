@@ -23,53 +23,6 @@ LatticeBox<d> DigitalSet<d>::brick_box() const {
 }
 
 template <int d>
-LatticePoint<d> DigitalSet<d>::page_of(const LatticePoint<d>& brick) {
-  LatticePoint<d> page;
-  for (int k = 0; k < d; ++k) page[k] = brick[k] >> kPageShift;
-  return page;
-}
-
-template <int d>
-std::int64_t DigitalSet<d>::page_index(const LatticePoint<d>& page) const {
-  if (!pages_.contains(page)) return -1;
-  std::int64_t index = 0;
-  for (int k = d - 1; k >= 0; --k)
-    index = index * (pages_.hi[k] - pages_.lo[k] + 1) + (page[k] - pages_.lo[k]);
-  return index;
-}
-
-template <int d>
-int DigitalSet<d>::index_in_page(const LatticePoint<d>& brick) {
-  int index = 0;
-  for (int k = d - 1; k >= 0; --k) index = (index << kPageShift) | (brick[k] & (kPageSide - 1));
-  return index;
-}
-
-template <int d>
-std::int32_t DigitalSet<d>::page_state(const LatticePoint<d>& page) const {
-  const std::int64_t index = page_index(page);
-  return index < 0 ? kEmpty : top_[std::size_t(index)];
-}
-
-template <int d>
-std::int32_t DigitalSet<d>::state(const LatticePoint<d>& brick) const {
-  const std::int32_t page = page_state(page_of(brick));
-  return page < 0 ? page : slots_[std::size_t(page) * kBricksInPage + std::size_t(index_in_page(brick))];
-}
-
-template <int d>
-Brick<d> DigitalSet<d>::brick(const LatticePoint<d>& brick) const {
-  const std::int32_t s = state(brick);
-  return s == kEmpty ? Brick<d>{} : s == kFull ? Brick<d>::full() : bricks_[std::size_t(s)];
-}
-
-template <int d>
-bool DigitalSet<d>::contains(const LatticePoint<d>& z) const {
-  const std::int32_t s = state(Brick<d>::of(z));
-  return s < 0 ? s == kFull : bricks_[std::size_t(s)].test(Brick<d>::bit(z));
-}
-
-template <int d>
 std::int32_t& DigitalSet<d>::slot(const LatticePoint<d>& brick) {
   const std::int64_t index = page_index(page_of(brick));
   expects(index >= 0, "a brick inside the domain");

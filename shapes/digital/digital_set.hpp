@@ -33,33 +33,65 @@ class DigitalSet {
   const LatticeBox<d>& page_box() const { return pages_; }
   LatticeBox<d> brick_box() const;
 
-  bool contains(const LatticePoint<d>& z) const;
+  bool contains(const LatticePoint<d>& z) const {
+    const std::int32_t s = state(Brick<d>::of(z));
+    return s < 0 ? s == kFull : bricks_[std::size_t(s)].test(Brick<d>::bit(z));
+  }
   void set(const LatticePoint<d>& z, bool value);
   /// Number of points.
   std::int64_t size() const;
 
   /// kEmpty, kFull, or the number of a stored brick; bricks outside the domain are empty.
-  std::int32_t state(const LatticePoint<d>& brick) const;
-  Brick<d> brick(const LatticePoint<d>& brick) const;
-  /// The stored brick of a state that is not negative; valid until the set is written to.
-  const Brick<d>& stored_brick(std::int32_t state) const { return bricks_[std::size_t(state)]; }
+  std::int32_t state(const LatticePoint<d>& brick) const {
+    const std::int32_t page = page_state(page_of(brick));
+    return page < 0 ? page : slots_[std::size_t(page) * kBricksInPage + std::size_t(index_in_page(brick))];
+  }
+  /// The brick of a state; valid until the set is written to.
+  const Brick<d>& brick_of(std::int32_t state) const {
+    static constexpr Brick<d> kNone{}, kAll = Brick<d>::full();
+    return state == kEmpty ? kNone : state == kFull ? kAll : bricks_[std::size_t(state)];
+  }
+  const Brick<d>& brick(const LatticePoint<d>& brick) const { return brick_of(state(brick)); }
   void set_brick(const LatticePoint<d>& brick, const Brick<d>& bits);
-  std::int32_t page_state(const LatticePoint<d>& page) const;
+  std::int32_t page_state(const LatticePoint<d>& page) const {
+    const std::int64_t index = page_index(page);
+    return index < 0 ? kEmpty : top_[std::size_t(index)];
+  }
+  /// The states of its bricks in raster order, for a page of a state that is not negative.
+  std::span<const std::int32_t, kBricksInPage> states_in_page(std::int32_t page) const {
+    return std::span<const std::int32_t, kBricksInPage>(&slots_[std::size_t(page) * kBricksInPage],
+                                                        kBricksInPage);
+  }
   void set_page(const LatticePoint<d>& page, std::int32_t state);
   /// Stores a page at once: for each of its bricks in raster order, kEmpty, kFull, or the number of its bits in
   /// `bricks`. The page must not be stored yet.
   void set_page(const LatticePoint<d>& page, std::span<const std::int32_t> states,
                 std::span<const Brick<d>> bricks);
 
-  /// The number of a brick in its page.
-  static int index_in_page(const LatticePoint<d>& brick);
+  /// The page of a brick, and the number of the brick there.
+  static LatticePoint<d> page_of(const LatticePoint<d>& brick) {
+    LatticePoint<d> page;
+    for (int k = 0; k < d; ++k) page[k] = brick[k] >> kPageShift;
+    return page;
+  }
+  static int index_in_page(const LatticePoint<d>& brick) {
+    int index = 0;
+    for (int k = d - 1; k >= 0; --k) index = (index << kPageShift) | (brick[k] & (kPageSide - 1));
+    return index;
+  }
 
   /// Bytes held.
   std::size_t memory() const;
 
  private:
-  std::int64_t page_index(const LatticePoint<d>& page) const;
-  static LatticePoint<d> page_of(const LatticePoint<d>& brick);
+  /// Its place in the top level, or -1.
+  std::int64_t page_index(const LatticePoint<d>& page) const {
+    if (!pages_.contains(page)) return -1;
+    std::int64_t index = 0;
+    for (int k = d - 1; k >= 0; --k)
+      index = index * (pages_.hi[k] - pages_.lo[k] + 1) + (page[k] - pages_.lo[k]);
+    return index;
+  }
   std::int32_t& slot(const LatticePoint<d>& brick);
 
   LatticeBox<d> domain_, pages_;
@@ -89,9 +121,10 @@ void for_each_border_brick(const DigitalSet<d>& set, Visit visit) {
     if (state == DigitalSet<d>::kEmpty) return;
     if (state == DigitalSet<d>::kFull && !has_other_neighbour(page_state, page)) return;
     const LatticePoint<d> first = page * DigitalSet<d>::kPageSide;
+    std::size_t i = 0;
     for_each_point(LatticeBox<d>{first, first.array() + (DigitalSet<d>::kPageSide - 1)},
                    [&](const LatticePoint<d>& brick) {
-                     const std::int32_t own = brick_state(brick);
+                     const std::int32_t own = state < 0 ? state : set.states_in_page(state)[i++];
                      if (own == DigitalSet<d>::kEmpty) return;
                      if (own == DigitalSet<d>::kFull && !has_other_neighbour(brick_state, brick)) return;
                      visit(brick);

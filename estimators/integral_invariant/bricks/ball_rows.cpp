@@ -36,7 +36,7 @@ LatticeBox<d> relative_positions(const LatticePoint<d>& offset) {
 
 template <int d>
 BallRows<d>::BallRows(DigitalLength radius, int half_axis) : skew_(half_axis == 0) {
-  constexpr int kLargest = d == 2 ? 1 << 14 : 1000;
+  constexpr int kLargest = d == 2 ? 1 << 14 : 900;
   const std::int64_t limit = squared_diameter(radius);
   if (radius.value > kLargest)
     throw InputError(

@@ -43,7 +43,7 @@ class BallRows {
   };
 
   /// The ball of ball_kernel(radius, half_axis).
-  /// @throws InputError where R/h < 1 or not finite, or above 1000 in 3D, 16384 in 2D.
+  /// @throws InputError where R/h < 1 or not finite, or above 900 in 3D, 16384 in 2D.
   BallRows(DigitalLength radius, int half_axis);
 
   const std::vector<Row>& rows() const { return rows_; }
@@ -65,6 +65,19 @@ class BallRows {
   std::vector<typename Lines<d>::Widths> widths_;
   std::int64_t size_ = 0;
   int skew_, radius_ = 0;
+};
+
+/// The ball around one spel of its source brick.
+template <int d>
+struct AlignedBall {
+  const BallRows<d>* ball;
+  int bit;  ///< of the spel in the source brick
+
+  const typename Lines<d>::Widths* widths() const { return ball->widths(bit / Lines<d>::kLength); }
+  /// A line of a brick or run whose near end is `from` points beyond the base of its row, on the right, has
+  /// width - from - to_right() points in the ball, where that is positive; likewise on the left.
+  int to_right() const { return Lines<d>::kLength - 1 - bit % Lines<d>::kLength; }
+  int to_left() const { return bit % Lines<d>::kLength + ball->skew(); }
 };
 
 extern template class BallRows<2>;

@@ -1,9 +1,7 @@
 #include "estimators/integral_invariant/bricks/ball_sums.hpp"
 
-#include <tbb/enumerable_thread_specific.h>
-
-#include "estimators/integral_invariant/bricks/cut_bricks.hpp"
 #include "estimators/integral_invariant/bricks/half_row_sums.hpp"
+#include "estimators/integral_invariant/bricks/targets.hpp"
 #include "shapes/base/parallel.hpp"
 
 namespace gridstep::bricks {
@@ -52,34 +50,40 @@ std::vector<Sum> BallSums<d, Sum>::eval(const DigitalSet<d>& set, const SpelsByB
     box.hi[k] += margin;
   }
   const BrickRows<d, Modular<Sum>> rows(set, box);
+  const auto cut_sums = target().template cut_sums<d, Modular<Sum>>();
 
   struct Scratch {
     SourceLists<d, Modular<Sum>> lists;
+    std::vector<std::uint16_t> bits;  // of the source brick's spels
+    std::vector<Modular<Sum>> sums;
     std::int64_t visited = 0;
   };
-  tbb::enumerable_thread_specific<Scratch> scratches;
+  PerWorker<Scratch> scratches;
   constexpr std::size_t kGrain = 16;
   parallel_chunks(sources.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-    auto& [lists, visited] = scratches.local();
+    auto& [lists, bits, sums, visited] = scratches.local();
     for (std::size_t i = begin; i != end; ++i) {
       const auto& source = sources[i];
       lists.build(ball, rows, source.brick);
+      bits.clear();
+      for_each_bit(source.spels, [&](int bit) { bits.push_back(std::uint16_t(bit)); });
+      sums.resize(bits.size());
+      cut_sums(lists, ball, bits, sums.data());
       const LatticePoint<d> origin = Brick<d>::origin(source.brick);
-      std::size_t position = source.begin;
-      for_each_bit(source.spels, [&](int bit) {
+      for (std::size_t k = 0; k < bits.size(); ++k) {
         Modular<Sum> sum = lists.inside;
-        sum.move(origin + Brick<d>::offset(bit));
-        add(sum, half_rows.right(lists.right.half_rows, bit));
-        add(sum, half_rows.left(lists.left.half_rows, bit));
-        add(sum, cut_sum(lists, ball, bit));
-        result[position++] = to_signed(sum);
-      });
-      visited += std::int64_t(lists.size() * (position - source.begin));
+        sum.move(origin + Brick<d>::offset(bits[k]));
+        add(sum, sums[k]);
+        add(sum, half_rows.right(lists.right.half_rows, bits[k]));
+        add(sum, half_rows.left(lists.left.half_rows, bits[k]));
+        result[source.begin + k] = to_signed(sum);
+      }
+      visited += std::int64_t(lists.size() * bits.size());
     }
   });
   if (work) {
     work->points += std::int64_t(spels.size());
-    for (const Scratch& scratch : scratches) work->cells_visited += scratch.visited;
+    scratches.for_each([&](const Scratch& scratch) { work->cells_visited += scratch.visited; });
   }
   return result;
 }

@@ -44,7 +44,7 @@ template <int d, class Sum>
 class BallSums {
  public:
   /// Tables of the ball of ball_kernel(radius, half_axis).
-  /// @throws InputError where R/h < 1, is not finite, or above 1000 in 3D, 16384 in 2D.
+  /// @throws InputError where R/h < 1, is not finite, or above 900 in 3D, 16384 in 2D.
   BallSums(DigitalLength radius, int half_axis);
   BallSums(BallSums&&) noexcept;
   BallSums& operator=(BallSums&&) noexcept;

@@ -72,13 +72,11 @@ BrickRows<d, Sum>::BrickRows(const DigitalSet<d>& set, const LatticeBox<d>& box)
         continue;
       }
       for (brick[0] = begin; brick[0] < end; ++brick[0]) {
-        const std::int32_t state = set.state(brick);
-        if (state == DigitalSet<d>::kEmpty) continue;
+        const Brick<d>& bits = set.brick(brick);
         // A stored brick may have become uniform point by point.
-        const int count = state < 0 ? Brick<d>::kBits : set.stored_brick(state).count();
+        const int count = bits.count();
         if (count == Brick<d>::kBits) add_full_run(brick[0], brick[0] + 1);
         if (count == 0 || count == Brick<d>::kBits) continue;
-        const Brick<d>& bits = set.stored_brick(state);
         runs_.push_back({brick[0], brick[0] + 1, &bits, sum});
         add_brick(sum, bits, Brick<d>::origin(brick));
       }
@@ -89,8 +87,8 @@ BrickRows<d, Sum>::BrickRows(const DigitalSet<d>& set, const LatticeBox<d>& box)
   row_begin_.push_back(runs_.size());
 }
 
-template class BrickRows<2, PlainSum<2, std::uint64_t>>;
-template class BrickRows<3, PlainSum<3, std::uint64_t>>;
-template class BrickRows<3, MomentSums<3, std::uint64_t>>;
+template class BrickRows<2, Counts<2>>;
+template class BrickRows<3, Counts<3>>;
+template class BrickRows<3, Moments>;
 
 }  // namespace gridstep::bricks

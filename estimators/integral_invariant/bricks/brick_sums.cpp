@@ -40,7 +40,7 @@ struct Weighted {
 
 }  // namespace
 
-void add_brick(MomentSums<3, std::uint64_t>& sum, const Brick<3>& brick, const LatticePoint<3>& origin) {
+void add_brick(Moments& sum, const Brick<3>& brick, const LatticePoint<3>& origin) {
   Weighted slices, rows_of_slices, squared_rows_of_slices;
   for (int z = 7; z >= 0; --z) {
     const std::uint64_t word = brick.words[std::size_t(z)];
@@ -51,7 +51,7 @@ void add_brick(MomentSums<3, std::uint64_t>& sum, const Brick<3>& brick, const L
     squared_rows_of_slices.add(rows.square());
   }
   const auto field = Packed::field;
-  MomentSums<3, std::uint64_t> own;
+  Moments own;
   own.n = field(slices.plain, 0);
   own.first = {field(slices.plain, 1), field(rows_of_slices.plain, 0), field(slices.linear(), 0)};
   own.second = {field(slices.plain, 2),

@@ -23,7 +23,11 @@ template <class Sum>
 using Modular = typename ModularOf<Sum>::type;
 
 template <int d>
-PlainSum<d, std::int64_t> to_signed(const PlainSum<d, std::uint64_t>& sum) {
+using Counts = PlainSum<d, std::uint64_t>;
+using Moments = MomentSums<3, std::uint64_t>;
+
+template <int d>
+PlainSum<d, std::int64_t> to_signed(const Counts<d>& sum) {
   return {std::int64_t(sum.n)};
 }
 template <int d>
@@ -57,11 +61,10 @@ struct Stretch {
 
 /// Adds the `length` points from `first` on along x.
 template <int d>
-void add_stretch(PlainSum<d, std::uint64_t>& sum, const LatticePoint<d>&, std::int64_t length) {
+void add_stretch(Counts<d>& sum, const LatticePoint<d>&, std::int64_t length) {
   sum.n += std::uint64_t(length);
 }
-inline void add_stretch(MomentSums<3, std::uint64_t>& sum, const LatticePoint<3>& first,
-                        std::int64_t length) {
+inline void add_stretch(Moments& sum, const LatticePoint<3>& first, std::int64_t length) {
   const Stretch s(first[0], length);
   const auto y = std::uint64_t(first[1]), z = std::uint64_t(first[2]);
   add(sum, {s.n, {s.x, y * s.n, z * s.n}, {s.xx, y * s.x, z * s.x, y * y * s.n, y * z * s.n, z * z * s.n}});
@@ -69,13 +72,12 @@ inline void add_stretch(MomentSums<3, std::uint64_t>& sum, const LatticePoint<3>
 
 /// Adds all points of a box.
 template <int d>
-void add_box(PlainSum<d, std::uint64_t>& sum, const LatticePoint<d>&, const LatticePoint<d>& extent) {
+void add_box(Counts<d>& sum, const LatticePoint<d>&, const LatticePoint<d>& extent) {
   std::uint64_t volume = 1;
   for (int k = 0; k < d; ++k) volume *= std::uint64_t(extent[k]);
   sum.n += volume;
 }
-inline void add_box(MomentSums<3, std::uint64_t>& sum, const LatticePoint<3>& first,
-                    const LatticePoint<3>& extent) {
+inline void add_box(Moments& sum, const LatticePoint<3>& first, const LatticePoint<3>& extent) {
   const Stretch x(first[0], extent[0]), y(first[1], extent[1]), z(first[2], extent[2]);
   add(sum, {x.n * y.n * z.n,
             {x.x * y.n * z.n, x.n * y.x * z.n, x.n * y.n * z.x},
@@ -85,8 +87,8 @@ inline void add_box(MomentSums<3, std::uint64_t>& sum, const LatticePoint<3>& fi
 
 /// The points mirrored, x -> -x.
 template <int d>
-void mirror_x(PlainSum<d, std::uint64_t>&) {}
-inline void mirror_x(MomentSums<3, std::uint64_t>& sum) {
+void mirror_x(Counts<d>&) {}
+inline void mirror_x(Moments& sum) {
   sum.first[0] = -sum.first[0];
   sum.second[1] = -sum.second[1];
   sum.second[2] = -sum.second[2];

@@ -28,8 +28,8 @@ HalfRowSums<d, Sum>::HalfRowSums(const BallRows<d>& ball)
   }
 }
 
-template class HalfRowSums<2, PlainSum<2, std::uint64_t>>;
-template class HalfRowSums<3, PlainSum<3, std::uint64_t>>;
-template class HalfRowSums<3, MomentSums<3, std::uint64_t>>;
+template class HalfRowSums<2, Counts<2>>;
+template class HalfRowSums<3, Counts<3>>;
+template class HalfRowSums<3, Moments>;
 
 }  // namespace gridstep::bricks

@@ -67,8 +67,8 @@ void SourceLists<d, Sum>::build(const BallRows<d>& ball, const BrickRows<d, Sum>
   }
 }
 
-template struct SourceLists<2, PlainSum<2, std::uint64_t>>;
-template struct SourceLists<3, PlainSum<3, std::uint64_t>>;
-template struct SourceLists<3, MomentSums<3, std::uint64_t>>;
+template struct SourceLists<2, Counts<2>>;
+template struct SourceLists<3, Counts<3>>;
+template struct SourceLists<3, Moments>;
 
 }  // namespace gridstep::bricks

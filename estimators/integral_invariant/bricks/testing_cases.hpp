@@ -1,6 +1,6 @@
 #pragma once
 
-// Random cases for comparing `bricks` with `full`: in a test by the hundred, in bench/ by the million.
+// Random cases for comparing the ways to evaluate: by the hundred in every test run, by the million on demand.
 
 #include <fmt/format.h>
 
@@ -17,13 +17,16 @@
 
 namespace gridstep::bricks {
 
-template <int d>
-struct RandomCase {
-  DigitalSet<d> set;
+struct RandomBall {
   DigitalLength radius;
-  int half_axis;
-  std::vector<LatticePoint<d>> spels;  // distinct, in raster order
-  std::string description;
+  int half_axis;  ///< see ball_kernel()
+};
+
+template <int d>
+struct RandomSet {
+  DigitalSet<d> set;
+  std::vector<LatticePoint<d>> spels;  ///< distinct, in raster order; most at the boundary
+  std::string kind;
 };
 
 template <int d>
@@ -46,11 +49,17 @@ inline double random_radius(RandomStream& random, int largest) {
   }
 }
 
-/// A set in a box of random place and size, which in one case in four fills its domain to the border.
 template <int d>
-DigitalSet<d> random_digital_set(RandomStream& random, std::string& description) {
+RandomBall random_ball(RandomStream& random, int largest_radius) {
+  const double radius = random_radius(random, largest_radius);
+  return {{radius}, random.below(2) == 0 ? -1 : int(random.below(d))};
+}
+
+/// In a box of random place and size, which in one case in four fills its domain to the border.
+template <int d>
+RandomSet<d> random_set(RandomStream& random, int largest_side, std::size_t most_spels) {
   LatticeBox<d> box{random_point<d>(random, 90), {}};
-  for (int k = 0; k < d; ++k) box.hi[k] = box.lo[k] + int(random.below(d == 2 ? 150 : 28));
+  for (int k = 0; k < d; ++k) box.hi[k] = box.lo[k] + int(random.below(std::uint32_t(largest_side)));
   if (random.below(4) == 0) {  // up to a corner of its domain, which is made of whole pages
     constexpr int kPage = DigitalSet<d>::kPageSide;
     for (int k = 0; k < d; ++k) {
@@ -63,8 +72,8 @@ DigitalSet<d> random_digital_set(RandomStream& random, std::string& description)
   const LatticePoint<d> centre = (box.lo + box.hi) / 2;
   const double radius = 0.6 * double(box.extent().maxCoeff());
   const RealPoint<d> slope = random_point<d>(random, 5).template cast<double>();
-  const auto kind = random.below(7);
-  description = std::array{"empty", "full", "single", "checkerboard", "noise", "ball", "half-space"}[kind];
+  const std::array kinds{"empty", "full", "single", "checkerboard", "noise", "ball", "half-space", "holes"};
+  const auto kind = random.below(kinds.size());
   DigitalSet<d> set(box);
   const double density = random.uniform();
   for_each_point(box, [&](const LatticePoint<d>& z) {
@@ -75,17 +84,11 @@ DigitalSet<d> random_digital_set(RandomStream& random, std::string& description)
                             (z.sum() & 1) == 0,
                             kind == 4 && random.uniform() < density,
                             p.norm() <= radius,
-                            p.dot(slope) <= 0.3};
+                            p.dot(slope) <= 0.3,
+                            kind == 7 && random.below(100) != 0};
     if (inside[kind]) set.set(z, true);
   });
-  return set;
-}
 
-template <int d>
-RandomCase<d> random_case(std::uint64_t seed, int largest_radius, std::size_t most_spels) {
-  RandomStream random({seed});
-  std::string description;
-  DigitalSet<d> set = random_digital_set<d>(random, description);
   std::vector<LatticePoint<d>> spels;
   const auto surfels = boundary(set);
   for (std::size_t i = 0; i < most_spels; ++i) {
@@ -98,26 +101,38 @@ RandomCase<d> random_case(std::uint64_t seed, int largest_radius, std::size_t mo
   }
   std::sort(spels.begin(), spels.end(), raster_less<d>);
   spels.erase(std::unique(spels.begin(), spels.end()), spels.end());
-  const double radius = random_radius(random, largest_radius);
-  const int half_axis = random.below(2) == 0 ? -1 : int(random.below(d));
-  description += fmt::format(" in {}d, R/h = {}, half axis {}, seed {}", d, radius, half_axis, seed);
-  return {std::move(set), {radius}, half_axis, std::move(spels), description};
+  return {std::move(set), std::move(spels), kinds[kind]};
 }
 
-/// Number of spels whose sums differ from those of the full kernel.
+/// The sums over one ball at the spels of a set, in every way.
 template <class Sum, int d>
-int differences(const RandomCase<d>& one) {
-  SpelsByBrick<d> spels;
-  typename SpelsByBrick<d>::Memo memo;
-  for (const LatticePoint<d>& z : one.spels) spels.insert(z, memo);
-  spels.number();
-  const std::vector<Sum> sums = BallSums<d, Sum>(one.radius, one.half_axis).eval(one.set, spels);
-  const std::vector<Sum> expected =
-      convolve<Sum>(Indicator<d>(one.set), ball_kernel<d>(one.radius, one.half_axis), nullptr, one.spels);
-  int result = 0;
-  for (std::size_t i = 0; i < one.spels.size(); ++i)
-    result += !(sums[spels.position(one.spels[i], memo)] == expected[i]);
-  return result;
-}
+class Evaluations {
+ public:
+  explicit Evaluations(const RandomBall& ball)
+      : kernel_(ball_kernel<d>(ball.radius, ball.half_axis)), masks_(kernel_), balls_(ball.radius, ball.half_axis) {}
+
+  std::vector<Sum> full(const RandomSet<d>& one) const {
+    return convolve<Sum>(Indicator<d>(one.set), kernel_, nullptr, one.spels);
+  }
+  std::vector<Sum> masks(const RandomSet<d>& one) const {
+    return convolve<Sum>(Indicator<d>(one.set), kernel_, &masks_, one.spels);
+  }
+  /// By the target in use.
+  std::vector<Sum> bricks(const RandomSet<d>& one) const {
+    SpelsByBrick<d> spels;
+    typename SpelsByBrick<d>::Memo memo;
+    for (const LatticePoint<d>& z : one.spels) spels.insert(z, memo);
+    spels.number();
+    const std::vector<Sum> sums = balls_.eval(one.set, spels);
+    std::vector<Sum> result;
+    for (const LatticePoint<d>& z : one.spels) result.push_back(sums[spels.position(z, memo)]);
+    return result;
+  }
+
+ private:
+  Kernel<d, std::int64_t> kernel_;
+  DisplacementMasks<d, std::int64_t> masks_;
+  BallSums<d, Sum> balls_;
+};
 
 }  // namespace gridstep::bricks

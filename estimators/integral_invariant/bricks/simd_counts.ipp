@@ -1,0 +1,275 @@
+// The number of points that a ball cuts out of M and F. Included once for each instruction set.
+
+HWY_BEFORE_NAMESPACE();
+namespace gridstep::bricks::HWY_NAMESPACE {
+namespace {
+
+/// A vector for each of N spels that lie in one line of the source brick, and so share their balls' half-widths.
+template <std::size_t N>
+struct Group {
+  Bytes of[N];
+};
+
+/// Bit by bit, what two or three of them are; `differ` is a ^ b.
+HWY_INLINE Bytes majority(Bytes differ, Bytes a, Bytes b, Bytes c) {
+#if HWY_TARGET <= HWY_AVX3
+  (void)b;
+  return hn::IfVecThenElse(differ, c, a);  // one instruction; with AVX2, it looks at whole lanes
+#else
+  return hn::Or(hn::And(a, b), hn::And(differ, c));
+#endif
+}
+
+/// Counts the bits of many vectors, byte by byte. Full adders, a bit each, leave one vector in eight to be counted
+/// (R. Harley, W. Seal).
+template <std::size_t N>
+class BitCounter {
+ public:
+  BitCounter() {
+    for (std::size_t i = 0; i < N; ++i) {
+      ones_.of[i] = twos_.of[i] = fours_.of[i] = eights_.of[i] = rest_.of[i] = hn::Zero(ByteTag());
+      total_[i] = hn::Zero(WordTag());
+    }
+  }
+  template <class Source>
+  HWY_INLINE void add_eight(Source& source) {
+    const Group<N> a = add_four(source), b = add_four(source), eight = add(fours_, a, b);
+    for (std::size_t i = 0; i < N; ++i)
+      eights_.of[i] = hn::Add(eights_.of[i], hn::PopulationCount(eight.of[i]));
+    if (++blocks_ == 255 / 8) spill_eights();
+  }
+  /// At most 31 times in all.
+  HWY_INLINE void add_one(const Group<N>& a) {
+    for (std::size_t i = 0; i < N; ++i) rest_.of[i] = hn::Add(rest_.of[i], hn::PopulationCount(a.of[i]));
+  }
+  HWY_INLINE Words total(std::size_t i) {
+    spill_eights();
+    const auto sum = [](Bytes bits) HWY_ATTR { return hn::SumsOf8(hn::PopulationCount(bits)); };
+    const Words few = hn::Add(sum(ones_.of[i]), hn::Add(hn::ShiftLeft<1>(sum(twos_.of[i])),
+                                                        hn::ShiftLeft<2>(sum(fours_.of[i]))));
+    return hn::Add(hn::ShiftLeft<3>(total_[i]), hn::Add(few, hn::SumsOf8(rest_.of[i])));
+  }
+
+ private:
+  /// sum + a + b, bit by bit: the lower bits into `sum`, the carries returned.
+  static HWY_INLINE Group<N> add(Group<N>& sum, const Group<N>& a, const Group<N>& b) {
+    Group<N> carry;
+    for (std::size_t i = 0; i < N; ++i) {
+      const Bytes one = hn::Xor(sum.of[i], a.of[i]);
+      carry.of[i] = majority(one, sum.of[i], a.of[i], b.of[i]);
+      sum.of[i] = hn::Xor(one, b.of[i]);
+    }
+    return carry;
+  }
+  template <class Source>
+  HWY_INLINE Group<N> add_two(Source& source) {
+    const Group<N> a = source.next(), b = source.next();
+    return add(ones_, a, b);
+  }
+  template <class Source>
+  HWY_INLINE Group<N> add_four(Source& source) {
+    const Group<N> a = add_two(source), b = add_two(source);
+    return add(twos_, a, b);
+  }
+  HWY_INLINE void spill_eights() {
+    for (std::size_t i = 0; i < N; ++i) {
+      total_[i] = hn::Add(total_[i], hn::SumsOf8(eights_.of[i]));
+      eights_.of[i] = hn::Zero(ByteTag());
+    }
+    blocks_ = 0;
+  }
+
+  Group<N> ones_, twos_, fours_;  // bits not yet carried on
+  Group<N> eights_, rest_;        // counts
+  Words total_[N];                // of eights
+  int blocks_ = 0;
+};
+
+/// The balls around N spels of one line, in the lanes from byte `at` of every brick on.
+template <std::size_t N>
+struct LineBalls {
+  const Lines<3>::Widths* widths;
+  std::size_t at;
+  int skew;
+  Bytes right[N], left[N];        // masks by the number of points beyond `from`
+  Bytes to_right[N], to_left[N];  // as in AlignedBall, `skew` left out
+
+  LineBalls(const BallRows<3>& ball, const std::uint16_t* bits, std::size_t byte)
+      : widths(AlignedBall<3>{&ball, bits[0]}.widths()), at(byte), skew(ball.skew()) {
+    // s = x - 7 lowest bits, at most 8; likewise the highest.
+    alignas(32) static constexpr std::uint8_t kLow[24] = {0,  0,   0,   0,   0,   0,   0,   0,
+                                                          1,  3,   7,   15,  31,  63,  127, 255,
+                                                          255, 255, 255, 255, 255, 255, 255, 255};
+    alignas(32) static constexpr std::uint8_t kHigh[24] = {0,   0,   0,   0,   0,   0,   0,   0,
+                                                           128, 192, 224, 240, 248, 252, 254, 255,
+                                                           255, 255, 255, 255, 255, 255, 255, 255};
+    const ByteTag tag;
+    for (std::size_t i = 0; i < N; ++i) {
+      const int x = bits[i] % 8;
+      right[i] = hn::LoadDup128(tag, kLow + x);
+      left[i] = hn::LoadDup128(tag, kHigh + 7 - x);
+      to_right[i] = hn::Set(tag, std::uint8_t(7 - x));
+      to_left[i] = hn::Set(tag, std::uint8_t(x));
+    }
+  }
+  /// Points of each line of a row beyond `from`.
+  HWY_INLINE Bytes beyond(std::uint32_t row, int from) const {
+    const ByteTag tag;
+    return hn::SaturatedSub(hn::Load(tag, widths[row].of.data() + at), hn::Set(tag, std::uint8_t(from)));
+  }
+};
+
+/// The bits of mixed bricks that lie in the balls, brick by brick.
+template <std::size_t N, bool kRight, bool kLeft>
+struct Cuts {
+  const LineBalls<N>& balls;
+  const MixedBrick* entry;
+
+  HWY_INLINE Group<N> next() {
+    const ByteTag tag;
+    const auto most = hn::Set(tag, std::uint8_t{15});
+    const Bytes bits = hn::Load(tag, reinterpret_cast<const std::uint8_t*>(entry->words) + balls.at);
+    Group<N> cut;
+    for (std::size_t i = 0; i < N; ++i) cut.of[i] = bits;
+    if constexpr (kRight) {
+      const Bytes s = hn::Min(balls.beyond(entry->row, entry->from), most);
+      for (std::size_t i = 0; i < N; ++i)
+        cut.of[i] = hn::And(cut.of[i], hn::TableLookupBytes(balls.right[i], s));
+    }
+    if constexpr (kLeft) {
+      const Bytes s = hn::Min(balls.beyond(entry->row, entry->from + balls.skew), most);
+      for (std::size_t i = 0; i < N; ++i)
+        cut.of[i] = hn::And(cut.of[i], hn::TableLookupBytes(balls.left[i], s));
+    }
+    ++entry;
+    return cut;
+  }
+};
+
+template <bool kRight, bool kLeft, std::size_t N>
+HWY_INLINE void count_mixed(const std::vector<MixedBrick>& entries, const LineBalls<N>& balls,
+                            BitCounter<N>& counter) {
+  Cuts<N, kRight, kLeft> cuts{balls, entries.data()};
+  std::size_t rest = entries.size();
+  for (; rest >= 8; rest -= 8) counter.add_eight(cuts);
+  for (; rest > 0; --rest) counter.add_one(cuts.next());
+}
+
+template <std::size_t N>
+HWY_INLINE void count_full(const std::vector<FullRun>& runs, const LineBalls<N>& balls, int skew,
+                           const Bytes (&to)[N], Words (&totals)[N]) {
+  for (const FullRun& run : runs) {
+    const Bytes most = hn::Set(ByteTag(), std::uint8_t(run.length)),
+                s = balls.beyond(run.row, run.from + skew);
+    for (std::size_t i = 0; i < N; ++i)
+      totals[i] = hn::Add(totals[i], hn::SumsOf8(hn::Min(hn::SaturatedSub(s, to[i]), most)));
+  }
+}
+
+/// For N spels of one line.
+template <std::size_t N>
+HWY_INLINE void count_line(const SourceLists<3, Counts<3>>& lists, const BallRows<3>& ball,
+                           const std::uint16_t* bits, Counts<3>* counts) {
+  Words totals[N];
+  for (std::size_t i = 0; i < N; ++i) totals[i] = hn::Zero(WordTag());
+  for (std::size_t at = 0; at < 64; at += hn::Lanes(ByteTag())) {
+    const LineBalls<N> balls(ball, bits, at);
+    BitCounter<N> counter;
+    count_mixed<true, false>(lists.right.mixed, balls, counter);
+    count_mixed<false, true>(lists.left.mixed, balls, counter);
+    count_mixed<true, true>(lists.middle, balls, counter);
+    count_full(lists.right.full, balls, 0, balls.to_right, totals);
+    count_full(lists.left.full, balls, balls.skew, balls.to_left, totals);
+    for (std::size_t i = 0; i < N; ++i) totals[i] = hn::Add(totals[i], counter.total(i));
+  }
+  for (std::size_t i = 0; i < N; ++i) counts[i] = {hn::GetLane(hn::SumOfLanes(WordTag(), totals[i]))};
+}
+
+void count_3d(const SourceLists<3, Counts<3>>& lists, const BallRows<3>& ball,
+              std::span<const std::uint16_t> bits, Counts<3>* counts) {
+  for (std::size_t i = 0; i < bits.size();) {
+    const bool pair = i + 1 < bits.size() && bits[i] / 8 == bits[i + 1] / 8;
+    if (pair)
+      count_line<2>(lists, ball, &bits[i], counts + i);
+    else
+      count_line<1>(lists, ball, &bits[i], counts + i);
+    i += pair ? 2 : 1;
+  }
+}
+
+/// Lines of 64 points, a word each.
+using LengthTag = hn::RebindToSigned<WordTag>;
+using Lengths = hn::VFromD<LengthTag>;
+
+HWY_INLINE Lengths beyond(Words widths, int from) {
+  return hn::Sub(hn::BitCast(LengthTag(), widths), hn::Set(LengthTag(), std::int64_t(from)));
+}
+
+/// The lowest `length` bits, at most 64; none where it is negative.
+HWY_INLINE Words low_bits(Lengths length) {
+  const WordTag tag;
+  const auto one = hn::Set(tag, std::uint64_t{1});
+  const auto shift = hn::BitCast(tag, hn::Sub(hn::Min(length, hn::Set(LengthTag(), std::int64_t{64})),
+                                              hn::Set(LengthTag(), std::int64_t{1})));
+  // 2 << 63 wraps around to 0, whose predecessor has all bits.
+  const Words bits =
+      hn::Sub(hn::Set(tag, std::uint64_t{2}) << hn::And(shift, hn::Set(tag, std::uint64_t{63})), one);
+  return hn::IfThenElseZero(hn::RebindMask(tag, hn::Gt(length, hn::Zero(LengthTag()))), bits);
+}
+
+/// The highest ones.
+HWY_INLINE Words high_bits(Lengths length) {
+  return hn::Not(low_bits(hn::Sub(hn::Set(LengthTag(), std::int64_t{64}), length)));
+}
+
+template <class Masks>
+HWY_INLINE Words count_mixed_2d(const std::vector<MixedBrick>& entries, const Lines<2>::Widths* widths,
+                                Masks masks) {
+  const WordTag tag;
+  Words total = hn::Zero(tag);
+  for (const MixedBrick& entry : entries)
+    for (std::size_t at = 0; at < 8; at += hn::Lanes(tag)) {
+      const Words mask = masks(hn::Load(tag, widths[entry.row].of.data() + at), entry.from);
+      total = hn::Add(total, hn::PopulationCount(hn::And(mask, hn::Load(tag, entry.words + at))));
+    }
+  return total;
+}
+
+HWY_INLINE Words count_full_2d(const std::vector<FullRun>& runs, const Lines<2>::Widths* widths, int to) {
+  const WordTag tag;
+  Words total = hn::Zero(tag);
+  for (const FullRun& run : runs)
+    for (std::size_t at = 0; at < 8; at += hn::Lanes(tag)) {
+      const Lengths length = beyond(hn::Load(tag, widths[run.row].of.data() + at), run.from + to);
+      const Lengths most = hn::Set(LengthTag(), std::int64_t(run.length));
+      total = hn::Add(total, hn::BitCast(tag, hn::Min(hn::Max(length, hn::Zero(LengthTag())), most)));
+    }
+  return total;
+}
+
+HWY_INLINE Counts<2> count_at(const SourceLists<2, Counts<2>>& lists, const AlignedBall<2>& ball) {
+  const Lines<2>::Widths* const widths = ball.widths();
+  const int to_right = ball.to_right(), to_left = ball.to_left();
+  Words total = count_mixed_2d(lists.right.mixed, widths, [&](Words row, int from) HWY_ATTR {
+    return low_bits(beyond(row, from + to_right));
+  });
+  total = hn::Add(total, count_mixed_2d(lists.left.mixed, widths, [&](Words row, int from) HWY_ATTR {
+                    return high_bits(beyond(row, from + to_left));
+                  }));
+  total = hn::Add(total, count_mixed_2d(lists.middle, widths, [&](Words row, int from) HWY_ATTR {
+                    return hn::And(low_bits(beyond(row, from + to_right)),
+                                   high_bits(beyond(row, from + to_left)));
+                  }));
+  total = hn::Add(total, count_full_2d(lists.right.full, widths, to_right));
+  total = hn::Add(total, count_full_2d(lists.left.full, widths, to_left));
+  return {hn::GetLane(hn::SumOfLanes(WordTag(), total))};
+}
+
+void count_2d(const SourceLists<2, Counts<2>>& lists, const BallRows<2>& ball,
+              std::span<const std::uint16_t> bits, Counts<2>* counts) {
+  for (std::size_t i = 0; i < bits.size(); ++i) counts[i] = count_at(lists, {&ball, bits[i]});
+}
+
+}  // namespace
+}  // namespace gridstep::bricks::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();

@@ -1,0 +1,61 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "experiments/memory.hpp"
+#include "experiments/program/estimation.hpp"
+#include "experiments/program/surfel_output.hpp"
+#include "shapes/digital/boundary.hpp"
+
+namespace gridstep {
+
+namespace {
+
+constexpr double kDefaultRadius = 5;  // in voxels
+
+}  // namespace
+
+void estimate_on_volume(EstimateOptions options) {
+  // Without a quantity, all there are: from the estimator that has them all.
+  if (options.estimators.empty())
+    options.estimators = {options.quantity.empty() ? "ii-covariance"
+                                                   : estimators_with_quantity<3>(options).front()};
+  std::optional<GreyRange> range;
+  if (!options.volume.threshold.empty()) range = grey_range(options.volume.threshold);
+  const GreyVolume volume = read_volume(options.volume);
+  const GridStep h{options.h == 0 ? volume.spacing : checked("--h", options.h)};
+  const EuclideanLength R = radius_of(options, h).value_or(EuclideanLength{kDefaultRadius * h.value});
+  std::vector<Estimation<3>> estimations = chosen<3>(options, R);
+  const RealBox<3> bounds(RealPoint<3>::Zero().eval(), RealPoint<3>(h.value * volume.extent.cast<double>()));
+  const double predicted = predicted_memory<3>(estimations, bounds, h, R, options);
+  require_memory(predicted, options.volume.path);
+  if (!range) range = foreground(volume);
+  SurfelOutput output(options.csv, options.out, 3);
+  const DigitalSet<3> set = threshold(volume, *range);
+  const DigitalSurface<3> surface = connected_boundary(set);
+  evaluate<3>(estimations, set, surface.surfels, h, R, options);
+  if (!output.empty()) {
+    SurfelTable table = surfel_table<3>(estimations, surface.surfels, h, surface.component_begin);
+    for (const Estimation<3>& e : estimations) add_estimates(table, e, title_prefix(estimations, e), options);
+    output.write<3>(table, surface.surfels, h);
+  }
+
+  std::FILE* out = output.summary_stream();
+  fmt::print(out, "{}: {} x {} x {} voxels of {}, {} in [{}, {}], h = {}{}, {}\n", options.volume.path,
+             volume.extent[0], volume.extent[1], volume.extent[2], name_of(volume.type), set.size(),
+             range->low, range->high, h.value, radius_text(R, h), fmt::join(options.estimators, ", "));
+  fmt::print(out, "surfels {}, components {}\n", surface.surfels.size(), surface.components());
+  for (const Estimation<3>& e : estimations) {
+    if (estimations.size() > 1) fmt::print(out, "{}\n", e.name);
+    for (std::size_t q = 0; q < e.estimates.quantities.size(); ++q) {
+      if (!wanted(options, e.estimates.quantities[q])) continue;
+      const auto [least, most] =
+          std::minmax_element(e.estimates.columns[q].begin(), e.estimates.columns[q].end());
+      fmt::print(out, "{:<10} from {:.4g} to {:.4g}\n", e.estimates.quantities[q], *least, *most);
+    }
+    print_work(out, e, options, surface.surfels.size());
+  }
+  fmt::print(out, "{}\n", memory_report(predicted, std::int64_t(surface.surfels.size())));
+}
+
+}  // namespace gridstep
