@@ -56,9 +56,9 @@ int main(int argc, char** argv) {
     const bool is_command =
         program.get_subcommands().empty() && !extras.empty() && !extras[0].starts_with('-');
     fmt::print(stderr, "gridstep: {}\n",
-               is_command
-                   ? fmt::format("unknown command '{}'; known: list, study, estimate, convert, report", extras[0])
-                   : fmt::format("{} (see gridstep --help)", error.what()));
+               is_command ? fmt::format("unknown command '{}'; known: list, study, estimate, convert, report",
+                                        extras[0])
+                          : fmt::format("{} (see gridstep --help)", error.what()));
     return 2;
   } catch (const CLI::ParseError& error) {
     print_error(fmt::format("{} (see gridstep --help)", error.what()));

@@ -30,8 +30,9 @@ void add_report_command(CLI::App& program) {
       "  gridstep report results/raw/paper-2d-quick\n"
       "  gridstep report results/raw/before results/raw/after --out comparison.html");
   command->callback([options] {
-    const std::filesystem::path in_folder =
-        options->folders.size() == 1 ? std::filesystem::path(options->folders[0]) / "report.html" : "report.html";
+    const std::filesystem::path in_folder = options->folders.size() == 1
+                                                ? std::filesystem::path(options->folders[0]) / "report.html"
+                                                : "report.html";
     const std::filesystem::path file = options->out.empty() ? in_folder : std::filesystem::path(options->out);
     write_report(options->folders, file);
     fmt::print("written: {}\n", file.string());

@@ -116,7 +116,8 @@ ResultsFolder read_results(const std::filesystem::path& folder) {
   check_schema(reader);
   for (const char* key : {"study", "provenance"})
     if (head[key] != results.summary[key])
-      reader.fail(fmt::format("'{}' differs from that of {}: not of the same run", key, summary_file.string()));
+      reader.fail(
+          fmt::format("'{}' differs from that of {}: not of the same run", key, summary_file.string()));
   results.records = std::move(records);
   return results;
 }

@@ -46,7 +46,8 @@ void require_memory_for(const Record& record, const Shape<3>& shape) {
 }
 
 Estimates estimates_of(const Record& record, const Scene<3>& scene) {
-  const KernelCentre centre = record.takes_radius() ? parse_kernel_centre(record.centre) : KernelCentre::spels;
+  const KernelCentre centre =
+      record.takes_radius() ? parse_kernel_centre(record.centre) : KernelCentre::spels;
   // All evaluations give the same values: this is the fastest one.
   const auto estimator =
       find_estimator(record.estimator).variant<3>().make(scene.set, {Evaluation::bricks, centre});
@@ -96,8 +97,8 @@ Surface remake_surface(const std::vector<const Record*>& records) {
     for (const Record* record : records) require_memory_for(*record, *shape);
     Scene<3> scene = make_scene<3>(*shape, settings);
     if (std::int64_t(scene.surfels.size()) != first.surfels)
-      throw InputError(fmt::format("had {} surfels, and has {} with this program", first.surfels,
-                                   scene.surfels.size()));
+      throw InputError(
+          fmt::format("had {} surfels, and has {} with this program", first.surfels, scene.surfels.size()));
 
     Surface surface{records, {}, {}, {}};
     std::vector<std::string> columns;

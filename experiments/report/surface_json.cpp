@@ -66,12 +66,9 @@ ordered_json surface_description(const Surface& surface) {
     estimator["errors"] = to_json(*surface.records[i])["errors"];
     estimators.push_back(std::move(estimator));
   }
-  return {{"shape", first.shape},
-          {"h", first.h},
-          {"offset", first.offset},
-          {"surfels", first.surfels},
-          {"singular", first.singular},
-          {"estimators", estimators}};
+  return {{"shape", first.shape},       {"h", first.h},
+          {"offset", first.offset},     {"surfels", first.surfels},
+          {"singular", first.singular}, {"estimators", estimators}};
 }
 
 ordered_json surface_arrays(const Surface& surface) {
