@@ -104,11 +104,16 @@ test("new colours leave the geometry alone, and reach each surfel's texel", () =
   mesh.colour(colours);
   assert.deepEqual(versions(), before);
   const texels = material.uniforms.colours.value.image.data;
-  let texel = 0;
+  const { rectangle } = geometry.attributes;
+  let number = 0;
   for (const { rectangles } of rectanglesOf(ball))
-    for (const { surfels } of rectangles)
-      for (const surfel of surfels) {
+    for (const { width, surfels } of rectangles) {
+      for (let vertex = 4 * number; vertex < 4 * number + 4; ++vertex)
+        assert.deepEqual([rectangle.getY(vertex), rectangle.getZ(vertex)], [width, surfels.length / width]);
+      surfels.forEach((surfel, i) => {
+        const texel = rectangle.getX(4 * number) + i; // as the shader finds it
         assert.deepEqual([...texels.slice(4 * texel, 4 * texel + 3)], [surfel % 251, surfel >> 8, 7]);
-        ++texel;
-      }
+      });
+      ++number;
+    }
 });
