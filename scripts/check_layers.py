@@ -26,7 +26,8 @@ MAY_INCLUDE = {
     "estimators": {"shapes/digital", "shapes/base"},  # never shapes/analytic nor the scene: the answer key
     "experiments/core": LIBRARY,
     "experiments": LIBRARY | {"experiments/core"},
-    "experiments/program": LIBRARY | {"experiments", "experiments/core"},
+    "experiments/report": LIBRARY | {"experiments", "experiments/core"},
+    "experiments/program": LIBRARY | {"experiments", "experiments/core", "experiments/report"},
     "bench": LIBRARY | {"experiments", "experiments/core"},  # not the program: its library is measured
 }
 TOP_FOLDERS = sorted({layer.split("/")[0] for layer in MAY_INCLUDE})

@@ -85,7 +85,7 @@ class InFolder(unittest.TestCase):
 class WrongInput(InFolder):
     def test_commands(self):
         for arguments, named in [
-            ((), ["list, study, estimate or convert"]),
+            ((), ["list, study, estimate, convert or report"]),
             (("frobnicate",), ["unknown command 'frobnicate'", "study"]),
             (("--frobnicate",), ["--frobnicate"]),
             (("list", "colours"), ["colours", "shapes"]),
@@ -218,7 +218,7 @@ class WrongInput(InFolder):
 
 class Help(unittest.TestCase):
     def test_every_command_has_an_example(self):
-        for command in ([], ["list"], ["study"], ["estimate"], ["convert"]):
+        for command in ([], ["list"], ["study"], ["estimate"], ["convert"], ["report"]):
             with self.subTest(command=command):
                 result = run(*command, "--help")
                 self.assertEqual(result.returncode, 0)
@@ -640,12 +640,22 @@ def records_of(path):
     return head, records
 
 
+def has_page():
+    """Whether the program was built with Node, and so with the page report.html."""
+    with tempfile.TemporaryDirectory() as folder:
+        (Path(folder) / "small.json").write_text(json.dumps(STUDY))
+        return "written: out/report.html" in run("study", "small.json", "--out", "out", folder=folder).stdout
+
+
 class Study(InFolder):
+    def results(self):
+        return sorted(["records.jsonl", "summary.json"] + ["report.html"] * has_page())
+
     def test_outputs(self):
         self.write_study(STUDY)
         result = self.must_work("study", "small.json", "--out", "a/b", "--csv", "--latex")
         tables = ["convergence", "cost", "equal-error", "work-precision"]
-        names = sorted([f"{t}.{e}" for t in tables for e in ("csv", "tex")] + ["records.jsonl", "summary.json"])
+        names = sorted([f"{t}.{e}" for t in tables for e in ("csv", "tex")] + self.results())
         self.assertEqual(sorted(os.listdir(self.folder / "a/b")), names, "and no journal")
         head, records = records_of(self.folder / "a/b/records.jsonl")
         self.assertEqual(len(records), 2 * 5 * 2 * 2)
@@ -666,13 +676,14 @@ class Study(InFolder):
             self.assertEqual(len(list(csv.reader(file))), 1 + 2 * 3)
         self.assertIn(r"\toprule", (self.folder / "a/b/convergence.tex").read_text())
         self.assertIn("written: a/b/records.jsonl", result.stdout)
+        self.assertEqual(result.stdout.count("report.html"), 1, "that it is written, or that it is not")
         self.assertIn("100%", result.stderr)
 
     def test_the_default_folder_and_the_seed(self):
         self.write_study(STUDY)
         self.must_work("study", "small.json", "--seed", 5, "--threads", 1)
         folder = self.folder / "results/raw/small"
-        self.assertEqual(sorted(os.listdir(folder)), ["records.jsonl", "summary.json"])
+        self.assertEqual(sorted(os.listdir(folder)), self.results())
         head, records = records_of(folder / "records.jsonl")
         self.assertEqual(head["seed"], 5)
         self.assertEqual(head["study"]["seed"], 5, "the study that gives these numbers again")
@@ -714,8 +725,119 @@ class Study(InFolder):
         self.assertEqual(journal.read_bytes(), unfinished)
 
         self.must_work("study", "small.json", "--out", "killed", "--resume")
-        self.assertEqual(sorted(os.listdir(self.folder / "killed")), ["records.jsonl", "summary.json"])
+        self.assertEqual(sorted(os.listdir(self.folder / "killed")), self.results())
         self.assertEqual(records_of(self.folder / "killed/records.jsonl")[1], expected)
+
+
+class Report(InFolder):
+    """Of a study's folder; the page itself is tested by scripts/report."""
+
+    SOLID = {
+        "name": "solid",
+        "sweeps": [
+            {
+                "shapes": ["sphere:radius=3"],
+                "estimators": ["ii-covariance"],
+                "radii": [{"k": 2}],
+                "schedule": {"values": [1, 0.5]},
+                "shifts": 1,
+            }
+        ],
+    }
+
+    def setUp(self):
+        super().setUp()
+        self.write_study(self.SOLID)
+        self.must_work("study", "small.json", "--out", "a")
+
+    def page(self, path):
+        """The data in a page, and the elements of its surfaces."""
+        text = (self.folder / path).read_text()
+        elements = re.findall(r'<script type="application/json" id="(.+?)">(.+?)</script>', text)
+        return {name: json.loads(data) for name, data in elements}
+
+    def test_what_is_in_it(self):
+        if not (self.folder / "a/report.html").exists():
+            self.must_fail(["report", "a"], "report.html", "without Node")
+            self.skipTest("built without Node")
+        of_study = (self.folder / "a/report.html").read_bytes()
+        (self.folder / "a/report.html").unlink()
+        self.assertIn("written: a/report.html", self.must_work("report", "a").stdout)
+        self.assertEqual((self.folder / "a/report.html").read_bytes(), of_study, "from the files alone")
+        summary = json.loads((self.folder / "a/summary.json").read_text())
+        page = self.page("a/report.html")
+        (study,) = page["report-data"]["studies"]
+        for key in summary:
+            self.assertEqual(study[key], summary[key])
+        self.assertEqual([s["h"] for s in study["surfaces"]], [0.5])
+        self.assertEqual(study["surfaces_left_out"], [])
+        self.assertEqual(list(page), ["report-data", "surface-0"])
+
+        self.must_work("study", "small.json", "--seed", 2, "--out", "b")
+        self.must_work("report", "a", "b", "--out", "both.html")
+        both = self.page("both.html")["report-data"]["studies"]
+        self.assertEqual([s["folder"] for s in both], ["a", "b"])
+        self.assertEqual([s["seed"] for s in both], [1, 2])
+
+    def test_a_surface_that_is_not_found_again_is_left_out(self):
+        if not (self.folder / "a/report.html").exists():
+            self.skipTest("built without Node")
+        records = (self.folder / "a/records.jsonl").read_text()
+        for old, new, reason in [
+            (r'"h":0.5', '"h":0.51', "surfels"),
+            (r'"mean":{"sup":', '"mean":{"sup":1', "the rms error of mean"),
+            (r'"shape":"sphere', '"shape":"spere', "unknown shape 'spere'"),
+            (r'"k":2.0', '"k":0.1', "R/h"),
+            (r'"offset":\[', '"offset":[0,', "4 numbers"),
+            (r'"h":0.5', '"h":1e-6', "memory"),
+            (r'"h":0.5', '"h":-1', "h = -1"),
+        ]:
+            with self.subTest(reason=reason):
+                changed = re.sub(old, new, records)
+                self.assertNotEqual(changed, records)
+                (self.folder / "a/records.jsonl").write_text(changed)
+                self.must_work("report", "a")
+                (study,) = self.page("a/report.html")["report-data"]["studies"]
+                self.assertEqual(len(study["surfaces_left_out"]), 1)
+                self.assertIn(reason, study["surfaces_left_out"][0])
+
+    def test_wrong_input(self):
+        def changed(change):
+            summary = json.loads((self.folder / "a/summary.json").read_text())
+            change(summary)
+            return json.dumps(summary)
+
+        files = {name: (self.folder / "a" / name).read_text() for name in ("summary.json", "records.jsonl")}
+        lines = files["records.jsonl"].splitlines()
+        for name, text, named in [
+            ("summary.json", "", ["a/summary.json"]),
+            ("summary.json", files["summary.json"][:-9], ["a/summary.json", "line"]),
+            ("summary.json", "[]", ["a/summary.json", "object"]),
+            ("summary.json", changed(lambda s: s.update(schema=2)), ["a/summary.json", "schema = 2"]),
+            ("summary.json", changed(lambda s: s.pop("cost")), ["a/summary.json", "'cost' is missing"]),
+            (
+                "summary.json",
+                changed(lambda s: s["convergence"][1].update(slope="steep")),
+                ["a/summary.json", "convergence[1]", 'slope = "steep"'],
+            ),
+            (
+                "summary.json",
+                changed(lambda s: s["convergence"][0].update(interval=[1])),
+                ["a/summary.json", "convergence[0]", "interval = [1]"],
+            ),
+            ("summary.json", changed(lambda s: s.update(study={"name": "other"})), ["not of the same run"]),
+            ("records.jsonl", "", ["a/records.jsonl"]),
+            ("records.jsonl", lines[0] + "\n" + lines[1][:-5], ["a/records.jsonl", "line 2 is no JSON"]),
+            ("records.jsonl", lines[0] + "\n{}", ["a/records.jsonl", "line 2", "'shape'"]),
+        ]:
+            with self.subTest(named=named):
+                (self.folder / "a" / name).write_text(text)
+                self.must_fail(["report", "a"], *named)
+                (self.folder / "a" / name).write_text(files[name])
+        self.must_fail(["report"], "folders")
+        self.must_fail(["report", "none"], "none/summary.json", "No such file")
+        if has_page():
+            self.must_fail(["report", "a", "--out", "missing/page.html"], "missing/page.html")
 
 
 if __name__ == "__main__":

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <string>
+#include <vector>
 
 namespace gridstep {
 
@@ -16,5 +18,9 @@ void add_list_command(CLI::App& program);
 void add_study_command(CLI::App& program);
 void add_estimate_command(CLI::App& program);
 void add_convert_command(CLI::App& program);
+void add_report_command(CLI::App& program);
+
+/// The report of the results in some folders, whole or not at all.
+void write_report(const std::vector<std::string>& folders, const std::filesystem::path& file);
 
 }  // namespace gridstep

@@ -34,15 +34,17 @@ int main(int argc, char** argv) {
       "  gridstep study paper-2d --quick --out results/raw/paper-2d\n"
       "  gridstep estimate --shape ellipse:a=20,b=7 --h 0.1 --estimator ii --k 5 --csv ellipse.csv\n"
       "  gridstep estimate --volume al.vol --radius 7 --quantity gaussian --out al.ply\n"
+      "  gridstep report results/raw/paper-2d\n"
       "A command tells more: gridstep estimate --help");
   gridstep::add_list_command(program);
   gridstep::add_study_command(program);
   gridstep::add_estimate_command(program);
   gridstep::add_convert_command(program);
+  gridstep::add_report_command(program);
   try {
     program.parse(argc, argv);
     if (program.get_subcommands().empty())
-      throw CLI::RequiredError("A command: list, study, estimate or convert");
+      throw CLI::RequiredError("A command: list, study, estimate, convert or report");
     // A full disk shows when the buffer is written at the latest: after all the work, but not unnoticed.
     if (std::fflush(stdout) != 0)
       throw std::system_error(errno, std::generic_category(), "standard output cannot be written");
@@ -54,9 +56,9 @@ int main(int argc, char** argv) {
     const bool is_command =
         program.get_subcommands().empty() && !extras.empty() && !extras[0].starts_with('-');
     fmt::print(stderr, "gridstep: {}\n",
-               is_command
-                   ? fmt::format("unknown command '{}'; known: list, study, estimate, convert", extras[0])
-                   : fmt::format("{} (see gridstep --help)", error.what()));
+               is_command ? fmt::format("unknown command '{}'; known: list, study, estimate, convert, report",
+                                        extras[0])
+                          : fmt::format("{} (see gridstep --help)", error.what()));
     return 2;
   } catch (const CLI::ParseError& error) {
     print_error(fmt::format("{} (see gridstep --help)", error.what()));

@@ -13,6 +13,7 @@
 #include "experiments/core/provenance.hpp"
 #include "experiments/memory.hpp"
 #include "experiments/program/commands.hpp"
+#include "experiments/report/page.hpp"
 #include "experiments/runner.hpp"
 #include "experiments/work_precision.hpp"
 #include "shapes/base/contracts.hpp"
@@ -92,6 +93,8 @@ void run(const Options& options) {
     if (options.latex) write_whole(folder / (name + ".tex"), to_latex(table));
   }
   fs::remove(journal, ignored);
+  const bool has_page = !page_template().empty();
+  if (has_page) write_report({folder.string()}, folder / "report.html");
 
   std::int64_t surfels = 0, most_surfels = 0, singular = 0, far = 0;
   double residual = 0;
@@ -112,6 +115,10 @@ void run(const Options& options) {
   fmt::print("\n{} in the largest digitization\n", memory_report(predicted, most_surfels));
   fmt::print("written: {}\n", (folder / "records.jsonl").string());
   fmt::print("written: {}\n", (folder / "summary.json").string());
+  if (has_page)
+    fmt::print("written: {}\n", (folder / "report.html").string());
+  else
+    fmt::print("not written: report.html, as this gridstep was built without Node\n");
 }
 
 }  // namespace

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "experiments/report/results_folder.hpp"
+
+namespace gridstep {
+
+/// The page without data, or nothing where the program was built without Node.
+std::string_view page_template();
+
+/// One page, with everything in it, that shows the results side by side. Everything on it comes from the
+/// folders' summary.json and records.jsonl; a surface that cannot be made again is left out, and the page says
+/// so.
+/// @throws InputError where the program was built without the page.
+std::string report_page(const std::vector<ResultsFolder>& results);
+
+}  // namespace gridstep

@@ -1,0 +1,324 @@
+// The page in Chromium: what it shows is what the program wrote, and everything on it works.
+import assert from "node:assert/strict";
+import { after, before, describe, test } from "node:test";
+import { launch, open } from "./chromium.mjs";
+import { runStudies } from "./studies.mjs";
+import { decodeSurface, valuesOf } from "../src/surface_data.js";
+import { intervalText, slopeText } from "../src/text.js";
+
+let studies, browser;
+before(async () => {
+  studies = runStudies();
+  browser = await launch();
+});
+after(async () => {
+  await browser?.close();
+  studies?.remove();
+});
+
+async function withPage(file, options, use) {
+  const page = await open(browser, file, options);
+  try {
+    await use(page);
+    assert.deepEqual(page.complaints, []);
+  } finally {
+    await page.context().close();
+  }
+}
+
+/** Traces of a chart that have this meaning. */
+const traces = (page, chart, meta) =>
+  page.evaluate(
+    ([id, wanted]) =>
+      document.getElementById(id).data.filter((trace) => trace.meta === wanted).map(({ x, y, name }) => ({ x: [...x], y: [...y], name })),
+    [chart, meta],
+  );
+
+const near = (actual, expected) => {
+  assert.equal(actual.length, expected.length);
+  actual.forEach((value, i) => assert.ok(Math.abs(value - expected[i]) <= 1e-12 * Math.abs(expected[i]), `${value} is not ${expected[i]}`));
+};
+const mean = (values) => values.reduce((sum, value) => sum + value, 0) / values.length;
+
+describe("what is shown", () => {
+  test("error curves, bands, fits and slopes are those of summary.json", () =>
+    withPage(studies.flat.page, {}, async (page) => {
+      assert.equal(await page.title(), "flat – Gridstep");
+      for (const norm of ["sup", "rms", "mean"]) {
+        await page.locator(`label[for=norm-${norm}]`).click();
+        const series = studies.flat.summary.convergence.filter((entry) => entry.norm === norm);
+        assert.equal(series.length, 4);
+        const [means, lower, upper, fits] = await Promise.all(
+          ["mean", "lower", "upper", "fit"].map((meta) => traces(page, "errors-chart", meta)),
+        );
+        const buttons = await page.locator("#curves button").allTextContents();
+        series.forEach((entry, i) => {
+          const h = entry.levels.map((level) => level.h);
+          near(means[i].x, h);
+          near(means[i].y, entry.levels.map((level) => mean(level.errors)));
+          near(lower[i].y, entry.levels.map((level) => Math.min(...level.errors)));
+          near(upper[i].y, entry.levels.map((level) => Math.max(...level.errors)));
+          near(fits[i].y, fits[i].x.map((step) => entry.constant * step ** entry.slope));
+          assert.ok(buttons[i].includes(`${slopeText(entry.slope)} ${intervalText(entry.interval)}`), buttons[i]);
+          assert.ok(buttons[i].endsWith(entry.verdict), buttons[i]);
+        });
+        const references = await traces(page, "errors-chart", "reference");
+        assert.deepEqual(new Set(series.map((entry) => entry.expected).filter((p) => p !== null)).size, references.length);
+        for (const { x, y } of references) near([Math.log(y[1] / y[0]) / Math.log(x[1] / x[0])], [1 / 3]);
+      }
+    }));
+
+  test("so are the scan, the times and their exponents, and work and precision", () =>
+    withPage(studies.flat.page, {}, async (page) => {
+      const { convergence, cost, work_precision } = studies.flat.summary;
+      const sup = ({ norm }) => norm === "sup";
+      const scans = await traces(page, "scan-chart", "scan");
+      convergence.filter(sup).forEach(({ scan }, i) => {
+        near(scans[i].x, scan.map((row) => row.coarsest));
+        near(scans[i].y, scan.map((row) => row.slope));
+      });
+      const times = await traces(page, "time-chart", "time");
+      const exponents = await page.locator("#exponents tbody tr").allTextContents();
+      const fits = await traces(page, "time-chart", "fit");
+      assert.equal(times.length, cost.length);
+      cost.forEach(({ steps, time_in_h }, i) => {
+        near(times[i].y, steps.map((step) => step.seconds_eval));
+        near([Math.log(fits[i].y[1] / fits[i].y[0]) / Math.log(fits[i].x[1] / fits[i].x[0])].map((p) => Number(p.toFixed(9))), [Number(time_in_h.toFixed(9))]);
+        assert.ok(exponents[i].includes(time_in_h.toFixed(2).replace("-", "−")), exponents[i]);
+      });
+      const points = await traces(page, "work-chart", "work");
+      work_precision.filter(sup).forEach((curve, i) => {
+        near(points[i].x, curve.points.map((point) => point.seconds));
+        near(points[i].y, curve.points.map((point) => point.error));
+      });
+    }));
+
+  test("the choices leave the curves that they name", () =>
+    withPage(studies.solid.page, {}, async (page) => {
+      const { convergence } = studies.solid.summary;
+      await page.selectOption("#estimator", "ii-covariance");
+      await page.selectOption("#shape", { index: 2 });
+      await page.selectOption("#quantity", "gaussian");
+      const shape = await page.inputValue("#shape");
+      const wanted = convergence.filter(
+        (e) => e.shape === shape && e.estimator === "ii-covariance" && e.quantity === "gaussian" && e.norm === "sup",
+      );
+      const shown = await traces(page, "errors-chart", "mean");
+      assert.equal(shown.length, 1);
+      near(shown[0].y, wanted[0].levels.map((level) => mean(level.errors)));
+      assert.equal(await page.locator("#slopes tbody tr").count(), 1);
+    }));
+
+  test("the table has every series, and sorts by its columns", () =>
+    withPage(studies.flat.page, {}, async (page) => {
+      await page.locator("#everything").check();
+      const rows = page.locator("#slopes tbody tr");
+      assert.equal(await rows.count(), studies.flat.summary.convergence.length);
+      const title = page.locator("#slopes th button", { hasText: /^slope$/ });
+      const column = await page.locator("#slopes th").allTextContents().then((titles) => titles.findIndex((t) => t.startsWith("slope")));
+      const shown = async () => page.locator(`#slopes tbody td:nth-child(${column + 1})`).allTextContents();
+      const slopes = studies.flat.summary.convergence.map(({ slope }) => slope).sort((a, b) => a - b).map(slopeText);
+      await title.click();
+      assert.deepEqual(await shown(), slopes);
+      assert.equal(await page.locator("#slopes th[aria-sort=ascending]").count(), 1);
+      await title.click();
+      assert.deepEqual(await shown(), slopes.reverse());
+      assert.ok(await title.evaluate((button) => button === document.activeElement), "the title keeps the focus");
+    }));
+
+  test("provenance is there, and texts are texts", () =>
+    withPage(studies.flat.page, {}, async (page) => {
+      assert.equal(await page.locator("#subtitle").textContent(), "Two shapes</script><b>bold</b>");
+      const text = await page.locator("#provenance").textContent();
+      const { commit, compiler, cpu } = studies.flat.summary.provenance;
+      for (const part of [commit, compiler, cpu]) assert.ok(text.includes(part), part);
+    }));
+
+  test("several studies stand side by side", () =>
+    withPage(studies.both, {}, async (page) => {
+      await page.selectOption("#shape", { index: 1 });
+      await page.selectOption("#estimator", "ii");
+      const names = (await traces(page, "errors-chart", "mean")).map(({ name }) => name);
+      assert.deepEqual(names, ["flat (flat)", "flat (again)"]);
+      assert.equal(await page.locator("#provenances article").count(), 2);
+    }));
+});
+
+describe("toggles", () => {
+  test("a curve pressed away leaves all charts, and comes back", () =>
+    withPage(studies.flat.page, {}, async (page) => {
+      const counts = async () =>
+        Promise.all(
+          [["errors-chart", "mean"], ["scan-chart", "scan"], ["time-chart", "time"], ["work-chart", "work"]].map(
+            async ([chart, meta]) => (await traces(page, chart, meta)).length,
+          ),
+        );
+      const button = page.locator("#curves button").first();
+      assert.deepEqual(await counts(), [4, 4, 6, 4]);
+      await button.click();
+      assert.equal(await button.getAttribute("aria-pressed"), "false");
+      assert.deepEqual(await counts(), [3, 3, 4, 3]);
+      await button.click();
+      assert.deepEqual(await counts(), [4, 4, 6, 4]);
+    }));
+
+  test("dark as the system, and by the button", async () => {
+    const paper = (page) => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
+    const ink = (page) => page.evaluate(() => document.getElementById("errors-chart").data.at(-1).line.color);
+    await withPage(studies.flat.page, { colorScheme: "dark" }, async (page) => {
+      const [dark, darkInk] = [await paper(page), await ink(page)];
+      assert.equal(await page.locator("#theme").getAttribute("aria-pressed"), "true");
+      await page.click("#theme");
+      assert.notEqual(await paper(page), dark);
+      assert.notEqual(await ink(page), darkInk);
+      await page.click("#theme");
+      assert.equal(await paper(page), dark);
+    });
+  });
+
+  test("everything is reached and worked by the keyboard", () =>
+    withPage(studies.solid.page, {}, async (page) => {
+      await page.locator("#stage").scrollIntoViewIfNeeded();
+      await page.waitForSelector("#stage canvas");
+      await page.evaluate(() => document.activeElement.blur());
+      const reached = new Set();
+      for (let i = 0; i < 200; ++i) {
+        await page.keyboard.press("Tab");
+        const at = await page.evaluate(() => {
+          const { activeElement: node } = document;
+          if (node === document.body) return null;
+          const seen = node.type === "radio" ? node.nextElementSibling : node;
+          const name = node.getAttribute("aria-label") || node.labels?.[0]?.textContent || node.textContent;
+          return { id: node.id || node.parentElement.id || node.tagName, outline: getComputedStyle(seen).outlineStyle, name };
+        });
+        if (!at) break;
+        assert.notEqual(at.outline, "none", `${at.id} does not show the focus`);
+        if (at.id !== "provenances") assert.ok(at.name?.trim(), `${at.id} has no name`);
+        reached.add(at.id);
+      }
+      for (const id of ["theme", "shape", "estimator", "quantity", "norm-sup", "everything", "surface-shape", "surface-estimator", "surface-quantity", "surface-colour-estimate", "turn", "stage"])
+        assert.ok(reached.has(id), `${id} is not reached`);
+      await page.locator("#curves button").first().focus();
+      await page.keyboard.press("Space");
+      assert.equal(await page.locator("#curves button").first().getAttribute("aria-pressed"), "false");
+      assert.ok(await page.evaluate(() => document.activeElement.closest("#curves")), "the focus stays");
+      await page.locator("#norm-sup").focus();
+      await page.keyboard.press("ArrowRight");
+      assert.ok(await page.locator("#norm-rms").isChecked());
+    }));
+});
+
+describe("the surface", () => {
+  /** How many different colours the canvas shows, and a sum that tells pictures apart. */
+  const picture = async (page) => {
+    const image = (await page.locator("#stage canvas").screenshot()).toString("base64");
+    return page.evaluate(async (data) => {
+      const bitmap = await createImageBitmap(await new Promise((done) => {
+        const bytes = Uint8Array.from(atob(data), (c) => c.charCodeAt(0));
+        done(new Blob([bytes], { type: "image/png" }));
+      }));
+      const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext("2d");
+      context.drawImage(bitmap, 0, 0);
+      const pixels = new Uint32Array(context.getImageData(0, 0, bitmap.width, bitmap.height).data.buffer);
+      let sum = 0;
+      for (const pixel of pixels) sum = (sum * 31 + pixel) % 4294967291;
+      return { colours: new Set(pixels).size, sum };
+    }, image);
+  };
+  /** Until two pictures in a row are the same. */
+  const atRest = async (page) => {
+    for (let before = await picture(page), i = 0; ; ++i) {
+      await page.waitForTimeout(500);
+      const now = await picture(page);
+      if (now.sum === before.sum || i > 40) return now;
+      before = now;
+    }
+  };
+  const show = async (page) => {
+    await page.locator("#stage").scrollIntoViewIfNeeded();
+    await page.waitForSelector("#stage canvas");
+    return atRest(page);
+  };
+
+  test("is drawn, coloured, turned, and shows directions", () =>
+    withPage(studies.solid.page, {}, async (page) => {
+      const pictures = [await show(page)];
+      assert.ok(pictures[0].colours > 50, `${pictures[0].colours} colours`);
+      const next = async (action) => {
+        await action();
+        pictures.push(await atRest(page));
+      };
+      await next(() => page.locator("label[for=surface-colour-truth]").click());
+      await next(() => page.locator("label[for=surface-colour-error]").click());
+      assert.ok((await page.locator("#scale").textContent()).startsWith("error of mean curvature"));
+      await next(() => page.selectOption("#surface-estimator", { label: "ii-covariance, R = 1.5 h^(1/3)" }));
+      await next(() => page.selectOption("#surface-quantity", "gaussian"));
+      await next(() => page.click("#directions"));
+      await next(() => page.locator("#stage canvas").press("ArrowLeft"));
+      await next(() => page.locator("#stage canvas").press("+"));
+      await next(() => page.selectOption("#surface-shape", { index: 1 }));
+      assert.equal(new Set(pictures.map(({ sum }) => sum)).size, pictures.length, "every action changes the picture");
+    }));
+
+  test("turns by itself, until told to stop", () =>
+    withPage(studies.solid.page, {}, async (page) => {
+      await show(page);
+      await page.click("#turn");
+      const before = await picture(page);
+      await page.waitForTimeout(1500);
+      assert.notEqual((await picture(page)).sum, before.sum);
+      await page.click("#turn");
+      const stopped = await atRest(page);
+      await page.waitForTimeout(1000);
+      assert.equal((await picture(page)).sum, stopped.sum);
+    }));
+
+  test("has the numbers of the records", () =>
+    withPage(studies.solid.page, {}, async (page) => {
+      const { surfaces } = await page.evaluate(() => JSON.parse(document.getElementById("report-data").textContent).studies[0]);
+      assert.equal(surfaces.length, 2);
+      for (const { id, shape, h, estimators } of surfaces) {
+        const arrays = decodeSurface(JSON.parse(await page.evaluate((place) => document.getElementById(place).textContent, id)));
+        estimators.forEach(({ estimator, quantities }, i) => {
+          const record = studies.solid.records.find((r) => r.shape === shape && r.h === h && r.shift === 0 && r.estimator === estimator);
+          assert.equal(arrays.signs.length, record.surfels);
+          for (const quantity of quantities) {
+            const errors = valuesOf(arrays, i, quantity, "error").filter((e) => !Number.isNaN(e));
+            assert.equal(errors.length, record.errors[quantity].count);
+            const sup = errors.reduce((most, e) => Math.max(most, Math.abs(e)), 0);
+            assert.ok(Math.abs(sup - record.errors[quantity].sup) < 1e-5 * record.errors[quantity].sup, `${shape} ${quantity}`);
+          }
+        });
+      }
+    }));
+
+  test("gives way to a sentence where there is no WebGL", () => {
+    const before = () => {
+      const original = HTMLCanvasElement.prototype.getContext;
+      HTMLCanvasElement.prototype.getContext = function (kind, ...rest) {
+        return kind.startsWith("webgl") ? null : original.call(this, kind, ...rest);
+      };
+    };
+    return withPage(studies.solid.page, { before }, async (page) => {
+      await page.locator("#stage").scrollIntoViewIfNeeded();
+      await page.getByText("This browser has no WebGL").waitFor();
+    });
+  });
+});
+
+describe("every width", () => {
+  for (const width of [400, 1600])
+    test(`${width} px without scrolling sideways`, () =>
+      withPage(studies.solid.page, { viewport: { width, height: 900 } }, async (page) => {
+        await page.locator("#everything").check();
+        await page.locator("#stage").scrollIntoViewIfNeeded();
+        await page.waitForSelector("#stage canvas");
+        assert.equal(await page.evaluate(() => document.scrollingElement.scrollWidth), width);
+        const tooWide = await page.evaluate(() =>
+          [...document.querySelectorAll("select, button, .chart, #stage, h1, h2, fieldset")]
+            .filter((node) => !node.closest(".scroll") && node.getBoundingClientRect().right > innerWidth)
+            .map((node) => node.id || node.textContent),
+        );
+        assert.deepEqual(tooWide, []);
+      }));
+});

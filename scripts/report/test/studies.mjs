@@ -1,0 +1,56 @@
+// Small studies, run once with the program, and what they wrote.
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { fileURLToPath } from "node:url";
+
+const program = process.env.GRIDSTEP ?? fileURLToPath(new URL("../../../build/gridstep", import.meta.url));
+
+const flat = {
+  name: "flat",
+  description: "Two shapes</script><b>bold</b>",
+  timing: true,
+  sweeps: [
+    {
+      shapes: ["ellipse:a=6,b=3", "flower:radius=5,amplitude=1.5,petals=5"],
+      estimators: ["ii", "mdca"],
+      evaluations: ["masks", "full"],
+      radii: [{ k: 2 }],
+      schedule: { from: 0.5, to: 0.05, steps: 6 },
+      shifts: 3,
+    },
+  ],
+};
+
+const solid = {
+  name: "solid",
+  sweeps: [
+    {
+      shapes: ["ellipsoid:a=4,b=3,c=2.5", "rounded-cube:radius=3"],
+      estimators: ["ii", "ii-covariance"],
+      evaluations: ["bricks"],
+      radii: [{ k: 1.5 }],
+      schedule: { from: 0.5, to: 0.15, steps: 5 },
+      shifts: 2,
+    },
+  ],
+};
+
+export function runStudies() {
+  const folder = mkdtempSync(join(tmpdir(), "gridstep-report-"));
+  const gridstep = (...words) => execFileSync(program, words, { cwd: folder, stdio: ["ignore", "pipe", "pipe"], encoding: "utf8" });
+  const study = (json, out) => {
+    writeFileSync(join(folder, `${out}.json`), JSON.stringify(json));
+    gridstep("study", `${out}.json`, "--out", out);
+    return {
+      page: join(folder, out, "report.html"),
+      summary: JSON.parse(readFileSync(join(folder, out, "summary.json"), "utf8")),
+      records: readFileSync(join(folder, out, "records.jsonl"), "utf8").trim().split("\n").slice(1).map((line) => JSON.parse(line)),
+    };
+  };
+  const studies = { flat: study(flat, "flat"), solid: study(solid, "solid") };
+  study({ ...flat, seed: 2 }, "again");
+  gridstep("report", "flat", "again", "--out", "both.html");
+  return { ...studies, both: join(folder, "both.html"), remove: () => rmSync(folder, { recursive: true }) };
+}
