@@ -146,10 +146,10 @@ struct Cuts {
   }
 };
 
-template <bool kRight, bool kLeft, std::size_t N>
-HWY_INLINE void count_mixed(const std::vector<MixedBrick>& entries, const LineBalls<N>& balls,
-                            BitCounter<N>& counter) {
-  Cuts<N, kRight, kLeft> cuts{balls, entries.data()};
+/// Of all entries; Source is Cuts or DiskCuts.
+template <class Source, std::size_t N, class Balls>
+HWY_INLINE void count_mixed(const std::vector<MixedBrick>& entries, const Balls& balls, BitCounter<N>& counter) {
+  Source cuts{balls, entries.data()};
   std::size_t rest = entries.size();
   for (; rest >= 8; rest -= 8) counter.add_eight(cuts);
   for (; rest > 0; --rest) counter.add_one(cuts.next());
@@ -175,9 +175,9 @@ HWY_INLINE void count_line(const SourceLists<3, Counts<3>>& lists, const BallRow
   for (std::size_t at = 0; at < 64; at += hn::Lanes(ByteTag())) {
     const LineBalls<N> balls(ball, bits, at);
     BitCounter<N> counter;
-    count_mixed<true, false>(lists.right.mixed, balls, counter);
-    count_mixed<false, true>(lists.left.mixed, balls, counter);
-    count_mixed<true, true>(lists.middle, balls, counter);
+    count_mixed<Cuts<N, true, false>>(lists.right.mixed, balls, counter);
+    count_mixed<Cuts<N, false, true>>(lists.left.mixed, balls, counter);
+    count_mixed<Cuts<N, true, true>>(lists.middle, balls, counter);
     count_full(lists.right.full, balls, 0, balls.to_right, totals);
     count_full(lists.left.full, balls, balls.skew, balls.to_left, totals);
     for (std::size_t i = 0; i < N; ++i) totals[i] = hn::Add(totals[i], counter.total(i));
@@ -201,73 +201,68 @@ void count_3d(const SourceLists<3, Counts<3>>& lists, const BallRows<3>& ball,
 using LengthTag = hn::RebindToSigned<WordTag>;
 using Lengths = hn::VFromD<LengthTag>;
 
-HWY_INLINE Lengths beyond(Words widths, int from) {
-  return hn::Sub(hn::BitCast(LengthTag(), widths), hn::Set(LengthTag(), std::int64_t(from)));
-}
+/// The ball around one spel, in the lanes from word `at` of every brick on.
+struct Disk {
+  const Lines<2>::Widths* widths;
+  std::size_t at;
+  int to_right, to_left;
 
-/// The lowest `length` bits, at most 64; none where it is negative.
-HWY_INLINE Words low_bits(Lengths length) {
-  const WordTag tag;
-  const auto one = hn::Set(tag, std::uint64_t{1});
-  const auto shift = hn::BitCast(tag, hn::Sub(hn::Min(length, hn::Set(LengthTag(), std::int64_t{64})),
-                                              hn::Set(LengthTag(), std::int64_t{1})));
-  // 2 << 63 wraps around to 0, whose predecessor has all bits.
-  const Words bits =
-      hn::Sub(hn::Set(tag, std::uint64_t{2}) << hn::And(shift, hn::Set(tag, std::uint64_t{63})), one);
-  return hn::IfThenElseZero(hn::RebindMask(tag, hn::Gt(length, hn::Zero(LengthTag()))), bits);
-}
+  HWY_INLINE Lengths width(std::uint32_t row) const {
+    return hn::BitCast(LengthTag(), hn::Load(WordTag(), widths[row].of.data() + at));
+  }
+  /// max(a - b, 0).
+  static HWY_INLINE Lengths beyond(Lengths a, Lengths b) {
+    return hn::Max(hn::Sub(a, b), hn::Zero(LengthTag()));
+  }
+  static HWY_INLINE Lengths constant(int value) { return hn::Set(LengthTag(), std::int64_t{value}); }
+  /// Points of each line of a brick that are not in the ball, or more where there are none that are.
+  HWY_INLINE Words missing(std::uint32_t row, int from) const {
+    return hn::BitCast(WordTag(), beyond(constant(64 + from), width(row)));
+  }
+};
 
-/// The highest ones.
-HWY_INLINE Words high_bits(Lengths length) {
-  return hn::Not(low_bits(hn::Sub(hn::Set(LengthTag(), std::int64_t{64}), length)));
-}
+template <bool kRight, bool kLeft>
+struct DiskCuts {
+  const Disk& disk;
+  const MixedBrick* entry;
 
-template <class Masks>
-HWY_INLINE Words count_mixed_2d(const std::vector<MixedBrick>& entries, const Lines<2>::Widths* widths,
-                                Masks masks) {
-  const WordTag tag;
-  Words total = hn::Zero(tag);
-  for (const MixedBrick& entry : entries)
-    for (std::size_t at = 0; at < 8; at += hn::Lanes(tag)) {
-      const Words mask = masks(hn::Load(tag, widths[entry.row].of.data() + at), entry.from);
-      total = hn::Add(total, hn::PopulationCount(hn::And(mask, hn::Load(tag, entry.words + at))));
-    }
-  return total;
-}
+  HWY_INLINE Group<1> next() {
+    const WordTag tag;
+    const Words all = hn::Set(tag, ~std::uint64_t{0});
+    Words bits = hn::Load(tag, entry->words + disk.at);
+    // The processor's shifts by 64 and more leave nothing.
+    if constexpr (kRight) bits = hn::And(bits, all >> disk.missing(entry->row, entry->from + disk.to_right));
+    if constexpr (kLeft) bits = hn::And(bits, all << disk.missing(entry->row, entry->from + disk.to_left));
+    ++entry;
+    return {{hn::BitCast(ByteTag(), bits)}};
+  }
+};
 
-HWY_INLINE Words count_full_2d(const std::vector<FullRun>& runs, const Lines<2>::Widths* widths, int to) {
-  const WordTag tag;
-  Words total = hn::Zero(tag);
+HWY_INLINE Words count_full(const std::vector<FullRun>& runs, const Disk& disk, int to) {
+  Lengths total = hn::Zero(LengthTag());
   for (const FullRun& run : runs)
-    for (std::size_t at = 0; at < 8; at += hn::Lanes(tag)) {
-      const Lengths length = beyond(hn::Load(tag, widths[run.row].of.data() + at), run.from + to);
-      const Lengths most = hn::Set(LengthTag(), std::int64_t(run.length));
-      total = hn::Add(total, hn::BitCast(tag, hn::Min(hn::Max(length, hn::Zero(LengthTag())), most)));
-    }
-  return total;
-}
-
-HWY_INLINE Counts<2> count_at(const SourceLists<2, Counts<2>>& lists, const AlignedBall<2>& ball) {
-  const Lines<2>::Widths* const widths = ball.widths();
-  const int to_right = ball.to_right(), to_left = ball.to_left();
-  Words total = count_mixed_2d(lists.right.mixed, widths, [&](Words row, int from) HWY_ATTR {
-    return low_bits(beyond(row, from + to_right));
-  });
-  total = hn::Add(total, count_mixed_2d(lists.left.mixed, widths, [&](Words row, int from) HWY_ATTR {
-                    return high_bits(beyond(row, from + to_left));
-                  }));
-  total = hn::Add(total, count_mixed_2d(lists.middle, widths, [&](Words row, int from) HWY_ATTR {
-                    return hn::And(low_bits(beyond(row, from + to_right)),
-                                   high_bits(beyond(row, from + to_left)));
-                  }));
-  total = hn::Add(total, count_full_2d(lists.right.full, widths, to_right));
-  total = hn::Add(total, count_full_2d(lists.left.full, widths, to_left));
-  return {hn::GetLane(hn::SumOfLanes(WordTag(), total))};
+    total = hn::Add(total, hn::Min(Disk::beyond(disk.width(run.row), Disk::constant(run.from + to)),
+                                   Disk::constant(run.length)));
+  return hn::BitCast(WordTag(), total);
 }
 
 void count_2d(const SourceLists<2, Counts<2>>& lists, const BallRows<2>& ball,
               std::span<const std::uint16_t> bits, Counts<2>* counts) {
-  for (std::size_t i = 0; i < bits.size(); ++i) counts[i] = count_at(lists, {&ball, bits[i]});
+  for (std::size_t i = 0; i < bits.size(); ++i) {
+    const AlignedBall<2> aligned{&ball, bits[i]};
+    Words total = hn::Zero(WordTag());
+    for (std::size_t at = 0; at < 8; at += hn::Lanes(WordTag())) {
+      const Disk disk{aligned.widths(), at, aligned.to_right(), aligned.to_left()};
+      BitCounter<1> counter;
+      count_mixed<DiskCuts<true, false>>(lists.right.mixed, disk, counter);
+      count_mixed<DiskCuts<false, true>>(lists.left.mixed, disk, counter);
+      count_mixed<DiskCuts<true, true>>(lists.middle, disk, counter);
+      total = hn::Add(total, counter.total(0));
+      total = hn::Add(total, count_full(lists.right.full, disk, disk.to_right));
+      total = hn::Add(total, count_full(lists.left.full, disk, disk.to_left));
+    }
+    counts[i] = {hn::GetLane(hn::SumOfLanes(WordTag(), total))};
+  }
 }
 
 }  // namespace
