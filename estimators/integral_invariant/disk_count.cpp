@@ -42,11 +42,15 @@ RowRuns::RowRuns(const DigitalSet<2>& set) {
   for (std::size_t row = 1; row < row_begin_.size(); ++row) row_begin_[row] += row_begin_[row - 1];
 }
 
-std::int64_t RowRuns::count_up_to(int y, int x) const {
+std::pair<RowRuns::Runs::const_iterator, RowRuns::Runs::const_iterator> RowRuns::runs_of(int y) const {
   const std::int64_t row = std::int64_t{y} - lowest_row_;
-  if (row < 0 || row + 1 >= std::int64_t(row_begin_.size())) return 0;
-  const auto begin = runs_.begin() + std::ptrdiff_t(row_begin_[std::size_t(row)]);
-  const auto end = runs_.begin() + std::ptrdiff_t(row_begin_[std::size_t(row) + 1]);
+  if (row < 0 || row + 1 >= std::int64_t(row_begin_.size())) return {runs_.end(), runs_.end()};
+  return {runs_.begin() + std::ptrdiff_t(row_begin_[std::size_t(row)]),
+          runs_.begin() + std::ptrdiff_t(row_begin_[std::size_t(row) + 1])};
+}
+
+std::int64_t RowRuns::count_up_to(int y, int x) const {
+  const auto [begin, end] = runs_of(y);
   const auto after =
       std::upper_bound(begin, end, x, [](int value, const Run& run) { return value < run.first; });
   if (after == begin) return 0;

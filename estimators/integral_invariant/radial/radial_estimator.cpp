@@ -1,0 +1,134 @@
+#include "estimators/integral_invariant/radial/radial_estimator.hpp"
+
+#include <cmath>
+
+#include "estimators/integral_invariant/radial/radial_curvature.hpp"
+#include "estimators/integral_invariant/radial/radial_sums.hpp"
+
+namespace gridstep {
+
+namespace {
+
+/// Kernels end like 1 - t at the ball's boundary: smoothly enough for the lattice's own noise, and no wider than that.
+constexpr int kEdgePower = 1;
+
+RadialKernels kernels_of(int d, int vanishing) {
+  // The wanted moment is that of order 2 for the trace, 0 and 2 for the distance and the normal, 4 for the deviator, to
+  // which a distance adds nothing.
+  std::vector<int> trace{0}, edge, tensor;
+  for (int i = 1; i < vanishing; ++i) {
+    trace.push_back(2 + 2 * i);
+    edge.push_back(2 + 2 * i);
+    tensor.push_back(4 + 2 * i);
+  }
+  return {vanishing_kernel(d, kEdgePower, trace), vanishing_kernel(d, kEdgePower, edge),
+          vanishing_kernel(3, kEdgePower, tensor)};
+}
+
+template <int d>
+class RadialIntegralInvariant final : public Estimator<d> {
+ public:
+  static std::vector<std::string> quantities() {
+    if constexpr (d == 2) return {"kappa"};
+    return {"mean",     "gaussian", "k1",     "k2",     "normal_x", "normal_y", "normal_z",
+            "dir1_x",   "dir1_y",   "dir1_z", "dir2_x", "dir2_y",   "dir2_z"};
+  }
+
+  RadialIntegralInvariant(const DigitalSet<d>& set, const RadialKernels& kernels, const EstimatorOptions& options)
+      : sums_(set, kernels, options.evaluation), curvature_(kernels) {}
+
+  void init(GridStep h, EuclideanLength R) override {
+    R_ = R;
+    digital_radius_ = to_digital(R, h).value;
+    sums_.init(h, R);
+  }
+
+  Estimates eval(std::span<const Surfel<d>> surfels) override {
+    const std::vector<RadialSum> sums = sums_.eval(surfels);
+    const auto table = [&](std::vector<std::string> names) {
+      const std::size_t columns = names.size();
+      return Estimates{std::move(names), {columns, std::vector<double>(surfels.size())}};
+    };
+    Estimates result = table(quantities());
+    raw_ = table(raw_names());
+    for (std::size_t i = 0; i < surfels.size(); ++i) {
+      const auto fill = [i](Estimates& estimates, const auto& values) {
+        for (std::size_t c = 0; c < values.size(); ++c) estimates.columns[c][i] = double(values[c]);
+      };
+      fill(raw_, raw_of(sums[i]));
+      fill(result, values_of(sums[i], surfels[i]));
+    }
+    return result;
+  }
+
+  Estimates raw() const override { return raw_; }
+  EstimatorWork work() const override { return sums_.work(); }
+
+ private:
+  static std::vector<std::string> raw_names() {
+    if constexpr (d == 2) return {"trace_sum", "edge_sum"};
+    return {"trace_sum", "edge_sum",  "edge_x",    "edge_y",    "edge_z",   "tensor_xx",
+            "tensor_xy", "tensor_xz", "tensor_yy", "tensor_yz", "tensor_zz"};
+  }
+  static std::vector<std::int64_t> raw_of(const RadialSum& sum) {
+    std::vector<std::int64_t> values{sum.trace, sum.edge};
+    if constexpr (d == 3) {
+      values.insert(values.end(), sum.edge_first.begin(), sum.edge_first.end());
+      values.insert(values.end(), sum.tensor_second.begin(), sum.tensor_second.end());
+    }
+    return values;
+  }
+
+  std::vector<double> values_of(const RadialSum& sum, const Surfel<d>& surfel) const {
+    const RadialSum& whole = sums_.whole(surfel.axis);
+    const RadialWeights& weights = sums_.weights();
+    const double cell = std::pow(digital_radius_, -d), half_cell = 0.5 / digital_radius_;
+    // Twice the difference is an integer.
+    const auto less_half = [](std::int64_t part, std::int64_t all) { return 0.5 * double(2 * part - all); };
+    const double trace = weights.trace.unit() * cell * less_half(sum.trace, whole.trace);
+    const double edge = weights.edge.unit() * cell * less_half(sum.edge, whole.edge);
+    if constexpr (d == 2) {
+      return {curvature_.in_2d(trace, edge) / R_.value};
+    } else {
+      Eigen::Vector3d first, outwards = Eigen::Vector3d::Zero();
+      outwards[surfel.axis] = surfel.sign;
+      Eigen::Matrix3d second;
+      for (int i = 0, pair = 0; i < 3; ++i) {
+        first[i] = weights.edge.unit() * cell * half_cell * double(sum.edge_first[std::size_t(i)]);
+        for (int j = i; j < 3; ++j, ++pair)
+          second(i, j) = second(j, i) =
+              weights.tensor.unit() * cell * half_cell * half_cell *
+              less_half(sum.tensor_second[std::size_t(pair)], whole.tensor_second[std::size_t(pair)]);
+      }
+      const PrincipalCurvatures c = curvature_.in_3d(trace, edge, first, second, outwards);
+      const double k1 = c.k1 / R_.value, k2 = c.k2 / R_.value;
+      return {(k1 + k2) / 2, k1 * k2,    k1,         k2,         c.normal[0], c.normal[1], c.normal[2],
+              c.dir1[0],     c.dir1[1], c.dir1[2], c.dir2[0], c.dir2[1],   c.dir2[2]};
+    }
+  }
+
+  RadialSums<d> sums_;
+  RadialCurvature curvature_;
+  EuclideanLength R_{};
+  double digital_radius_ = 0;
+  Estimates raw_;
+};
+
+template <int d>
+EstimatorEntry::Variant<d> variant(int vanishing) {
+  EstimatorEntry::Variant<d> result;
+  for (const std::string& quantity : RadialIntegralInvariant<d>::quantities())
+    result.quantities.push_back({quantity, std::nullopt});
+  result.make = [vanishing](const DigitalSet<d>& set, const EstimatorOptions& options) {
+    return std::make_unique<RadialIntegralInvariant<d>>(set, kernels_of(d, vanishing), options);
+  };
+  return result;
+}
+
+}  // namespace
+
+EstimatorEntry radial_entry(const std::string& name, const std::string& summary, int vanishing) {
+  return {name, summary, variant<2>(vanishing), variant<3>(vanishing)};
+}
+
+}  // namespace gridstep

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <type_traits>
+#include <vector>
+
+#include "estimators/estimator.hpp"
+#include "estimators/integral_invariant/convolution.hpp"
+#include "estimators/integral_invariant/radial/radial_bricks.hpp"
+#include "estimators/integral_invariant/radial/radial_rows.hpp"
+#include "estimators/options.hpp"
+
+namespace gridstep {
+
+/// The sums of radial kernels over a digital set, surfel by surfel.
+///   full, masks  through convolve(), each kernel on its own: displacement masks of weights are hardly smaller than kernels
+///   bricks       RadialBricks in 3D, O((R/h)^2) for each surfel; RadialRows in 2D, O(R/h)
+template <int d>
+class RadialSums {
+ public:
+  RadialSums(const DigitalSet<d>& set, const RadialKernels& kernels, Evaluation evaluation)
+      : set_(set), kernels_(kernels), evaluation_(evaluation) {}
+
+  /// @throws InputError where R/h < 1, is not finite, or is above what the strategy has tables for.
+  void init(GridStep h, EuclideanLength R);
+  std::vector<RadialSum> eval(std::span<const Surfel<d>> surfels);
+
+  /// The sums over the whole ball around a surfel orthogonal to `axis`.
+  const RadialSum& whole(int axis) const { return balls_[std::size_t(axis)].whole; }
+  const RadialWeights& weights() const { return *weights_; }
+  EstimatorWork work() const { return work_; }
+
+ private:
+  struct Weighted {
+    Kernel<d, std::int64_t> kernel;
+    std::optional<DisplacementMasks<d, std::int64_t>> masks;
+  };
+  using Fast = std::conditional_t<d == 2, RadialRows, RadialBricks>;
+  /// Around surfels orthogonal to one axis: kernels or `fast`.
+  struct Ball {
+    Weighted trace, edge, tensor;
+    std::optional<Fast> fast;
+    RadialSum whole;
+  };
+  template <class Sum>
+  std::vector<Sum> convolve_at(const Weighted& weighted, std::span<const LatticePoint<d>> points, EvaluationWork& work);
+  std::vector<RadialSum> sums_at(int axis, std::span<const LatticePoint<d>> points, EvaluationWork& work);
+  void eval_along(int axis, std::span<const Surfel<d>> surfels, std::span<RadialSum> result, EvaluationWork& work);
+
+  const DigitalSet<d>& set_;
+  RadialKernels kernels_;
+  Evaluation evaluation_;
+  std::optional<RadialWeights> weights_;
+  std::vector<Ball> balls_;
+  std::optional<RowRuns> rows_;  // 2D, bricks
+  EstimatorWork work_;
+};
+
+}  // namespace gridstep
