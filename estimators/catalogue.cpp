@@ -1,7 +1,9 @@
 #include "estimators/catalogue.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 
 #include "shapes/base/contracts.hpp"
 
@@ -22,6 +24,23 @@ const EstimatorEntry::Variant<3>& EstimatorEntry::variant<3>() const {
   if (!in_3d) throw InputError(fmt::format("estimator '{}' has no 3D form", name));
   return *in_3d;
 }
+
+template <int d>
+void EstimatorEntry::Variant<d>::require(Evaluation evaluation, const std::string& estimator) const {
+  if (std::find(evaluations.begin(), evaluations.end(), evaluation) != evaluations.end()) return;
+  std::vector<std::string> known;
+  for (const Evaluation one : evaluations) known.push_back(to_string(one));
+  throw InputError(fmt::format("estimator '{}' has no evaluation '{}'; it has: {}", estimator,
+                               to_string(evaluation), fmt::join(known, ", ")));
+}
+
+template <int d>
+KernelCentre EstimatorEntry::Variant<d>::centre(KernelCentre wanted) const {
+  return centres.size() == 1 ? centres.front() : wanted;
+}
+
+template struct EstimatorEntry::Variant<2>;
+template struct EstimatorEntry::Variant<3>;
 
 const std::vector<EstimatorEntry>& estimator_catalogue() {
   static const std::vector<EstimatorEntry> entries{

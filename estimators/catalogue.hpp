@@ -31,7 +31,19 @@ struct EstimatorEntry {
     std::vector<Quantity> quantities;
     EstimatorFactory<d> make;
     ValuePosition position = ValuePosition::surfel_centre;
-    bool takes_radius = true;  ///< else the R of Estimator::init() and the options are ignored
+    bool takes_radius = true;         ///< else the R of Estimator::init() and the options are ignored
+    double usual_k = d == 2 ? 5 : 3;  ///< of R = k h^(1/3), where nobody asks for another
+    /// What there is to choose between in the options; nothing where there are no sums over balls.
+    std::vector<Evaluation> evaluations{Evaluation::full, Evaluation::masks, Evaluation::bricks};
+    std::vector<KernelCentre> centres{KernelCentre::spels, KernelCentre::surfel};
+
+    /// Bytes of tables that it has beside those of sums over balls, by Evaluation::bricks; none: no such tables.
+    std::function<double(DigitalLength)> table_memory{};
+
+    /// @throws InputError naming an evaluation that the estimator does not have, and listing those that it has.
+    void require(Evaluation evaluation, const std::string& estimator) const;
+    /// The centre asked for, or the only one there is.
+    KernelCentre centre(KernelCentre wanted) const;
   };
   std::string name;
   std::string summary;

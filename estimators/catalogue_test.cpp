@@ -50,8 +50,8 @@ std::vector<Row> rows() {
   for (const EstimatorEntry& entry : estimator_catalogue()) {
     if (d == 2 ? !entry.in_2d : !entry.in_3d) continue;
     if (!entry.variant<d>().takes_radius) continue;
-    for (const Evaluation evaluation : {Evaluation::full, Evaluation::masks, Evaluation::bricks})
-      for (const KernelCentre centre : {KernelCentre::spels, KernelCentre::surfel})
+    for (const Evaluation evaluation : entry.variant<d>().evaluations)
+      for (const KernelCentre centre : entry.variant<d>().centres)
         result.push_back({entry.name, {evaluation, centre}});
   }
   return result;

@@ -90,8 +90,8 @@ class MethodRun {
  public:
   MethodRun(const Sweep& sweep, const Method& method, const Record& common, bool timing)
       : method_(method),
-        centre_(sweep.centre),
         variant_(find_estimator(method.estimator).variant<d>()),
+        centre_(variant_.centre(sweep.centre)),
         compared_(compared_quantities(variant_)),
         errors_(compared_.size()),
         record_(common),
@@ -101,7 +101,7 @@ class MethodRun {
     const GridStep h{common.h};
     R_ = method.radius->at(h);
     record_.evaluation = to_string(*method.evaluation);
-    record_.centre = sweep.centre == KernelCentre::spels ? "spels" : "surfel";
+    record_.centre = centre_ == KernelCentre::spels ? "spels" : "surfel";
     record_.k = method.radius->k;
     record_.alpha = method.radius->alpha;
     record_.digital_radius = to_digital(R_, h).value;
@@ -140,8 +140,8 @@ class MethodRun {
 
  private:
   const Method& method_;
-  KernelCentre centre_;
   const typename EstimatorEntry::Variant<d>& variant_;
+  KernelCentre centre_;
   std::vector<Compared> compared_;
   std::vector<std::vector<double>> errors_;
   Record record_;
@@ -179,12 +179,13 @@ std::vector<Record> run_job(const Study& study, const Job& job, const Shape<d>& 
     std::optional<Estimates> first_sums;  // of the method's estimator and radius
     for (std::size_t m = 0; m < methods.size(); ++m) {
       runs[m].add_part(scene, truths);
-      if (methods[m].evaluation == sweep.evaluations.front())
+      if (!methods[m].evaluation) continue;
+      if (m == 0 || !methods[m].agrees_with(methods[m - 1]))
         first_sums = runs[m].sums();
-      else if (methods[m].evaluation && runs[m].sums().columns != first_sums->columns)
+      else if (runs[m].sums().columns != first_sums->columns)
         throw std::runtime_error(
             fmt::format("{} at h = {}: the sums of evaluation '{}' differ from those of '{}'", common.shape,
-                        common.h, to_string(*methods[m].evaluation), to_string(sweep.evaluations.front())));
+                        common.h, to_string(*methods[m].evaluation), to_string(*methods[m - 1].evaluation)));
     }
     seconds_in_parts += watch.seconds();
   });

@@ -47,8 +47,11 @@ double predicted_surfel_memory(bool moments) {
 }
 
 template <int d>
-double predicted_table_memory(DigitalLength radius, bool moments, Evaluation evaluation, int threads) {
+double predicted_table_memory(const EstimatorEntry::Variant<d>& variant, DigitalLength radius,
+                              Evaluation evaluation, int threads) {
   const double r = radius.value, pi = std::numbers::pi;
+  if (evaluation == Evaluation::bricks && variant.table_memory) return variant.table_memory(radius);
+  const bool moments = d == 3 && variant.quantities.size() > 1;
   // Half-widths for each line of the ball and their prefix sums, for all alignments.
   if (evaluation == Evaluation::bricks) return (d == 2 ? 1200 * r : (moments ? 3000 : 500) * r * r) + 0x1p16;
   const double kernel = (d == 2 ? pi * r * r : 4 * pi / 3 * r * r * r) * 16;
@@ -77,10 +80,11 @@ void require_memory(double bytes, const std::string& what) {
                                  what, bytes / gib, available / gib));
 }
 
-#define GRIDSTEP_INSTANTIATE(d)                                         \
-  template double predicted_surfels<d>(const RealBox<d>&, GridStep);    \
-  template double predicted_set_memory<d>(const RealBox<d>&, GridStep); \
-  template double predicted_table_memory<d>(DigitalLength, bool, Evaluation, int);
+#define GRIDSTEP_INSTANTIATE(d)                                                                           \
+  template double predicted_surfels<d>(const RealBox<d>&, GridStep);                                      \
+  template double predicted_set_memory<d>(const RealBox<d>&, GridStep);                                   \
+  template double predicted_table_memory<d>(const EstimatorEntry::Variant<d>&, DigitalLength, Evaluation, \
+                                            int);
 GRIDSTEP_INSTANTIATE(2)
 GRIDSTEP_INSTANTIATE(3)
 #undef GRIDSTEP_INSTANTIATE

@@ -23,7 +23,8 @@ double predicted_surfel_memory(bool moments);
 
 /// Bytes of an estimator's kernel, masks or tables, and of the windows of its threads.
 template <int d>
-double predicted_table_memory(DigitalLength radius, bool moments, Evaluation evaluation, int threads);
+double predicted_table_memory(const EstimatorEntry::Variant<d>& variant, DigitalLength radius,
+                              Evaluation evaluation, int threads);
 
 /// The most bytes that this process has held at a time.
 double peak_memory();

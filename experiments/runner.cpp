@@ -60,8 +60,8 @@ double predicted_job_memory(const Sweep& sweep, const Shape<d>& shape, GridStep 
   for (const Method& method : sweep.methods()) {
     bytes += double(sizeof(double)) * surfels * double(compared_quantities(method.estimator, d).size());
     if (method.radius)
-      bytes +=
-          predicted_table_memory<d>(to_digital(method.radius->at(h), h), d == 3, *method.evaluation, threads);
+      bytes += predicted_table_memory<d>(find_estimator(method.estimator).variant<d>(),
+                                         to_digital(method.radius->at(h), h), *method.evaluation, threads);
   }
   return bytes;
 }

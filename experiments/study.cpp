@@ -35,6 +35,11 @@ bool takes_radius(const std::string& estimator, int dimension) {
   return dimension == 2 ? entry.variant<2>().takes_radius : entry.variant<3>().takes_radius;
 }
 
+RadiusRule usual_radius(const std::string& estimator, int dimension) {
+  const EstimatorEntry& entry = find_estimator(estimator);
+  return {dimension == 2 ? entry.variant<2>().usual_k : entry.variant<3>().usual_k, 1.0 / 3.0};
+}
+
 Sweep read_sweep(JsonReader& reader) {
   std::vector<ShapeSpec> shapes;
   int dimension = 0;
@@ -63,20 +68,28 @@ Sweep read_sweep(JsonReader& reader) {
       placed(reader, [&] { evaluations.push_back(parse_evaluation(name)); });
     if (evaluations.empty()) reader.fail("evaluations", "a list with at least one entry");
   }
+  for (const std::string& name : estimators)
+    if (takes_radius(name, dimension))
+      for (const Evaluation evaluation : evaluations)
+        placed(reader, [&] {
+          const EstimatorEntry& entry = find_estimator(name);
+          dimension == 2 ? entry.variant<2>().require(evaluation, name)
+                         : entry.variant<3>().require(evaluation, name);
+        });
   std::vector<RadiusRule> radii;
   const bool any_radius = std::any_of(estimators.begin(), estimators.end(),
                                       [&](const std::string& name) { return takes_radius(name, dimension); });
   if (!any_radius)
     for (const char* key : {"radii", "evaluations", "centre"})
       if (reader.has(key)) reader.fail(key, "left out: no estimator here takes a radius");
-  if (any_radius)
+  if (reader.has("radii"))
     for (JsonReader& radius : reader.objects("radii")) {
       radii.push_back({radius.number("k"), radius.number("alpha", 1.0 / 3.0)});
       if (!(radii.back().k > 0)) radius.fail("k", "positive");
       if (!(radii.back().alpha >= 0 && radii.back().alpha < 1)) radius.fail("alpha", "in [0, 1)");
       radius.finish();
     }
-  if (any_radius && radii.empty()) reader.fail("radii", "a list with at least one entry");
+  if (reader.has("radii") && radii.empty()) reader.fail("radii", "a list with at least one entry");
   std::vector<double> noise{0};
   if (reader.has("noise")) noise = reader.numbers("noise");
   for (const double beta : noise)
@@ -92,22 +105,27 @@ Sweep read_sweep(JsonReader& reader) {
   if (sweep.shifts < 1 || sweep.shifts > 10000) reader.fail("shifts", "from 1 to 10000");
   sweep.rotate = reader.boolean("rotate", false);
   reader.finish();
-  for (const RadiusRule& rule : sweep.radii)
+  for (const Method& method : sweep.methods())
     for (const double h : sweep.schedule.values())
-      if (const double cells = to_digital(rule.at({h}), {h}).value; cells < 1)
+      if (const auto& rule = method.radius; rule && to_digital(rule->at({h}), {h}).value < 1)
         reader.fail(fmt::format("h = {:.6g} with k = {:.6g}, alpha = {:.6g}: R/h = {:.6g} must be at least 1",
-                                h, rule.k, rule.alpha, cells));
+                                h, rule->k, rule->alpha, to_digital(rule->at({h}), {h}).value));
   return sweep;
 }
 
 }  // namespace
+
+bool Method::agrees_with(const Method& other) const {
+  return estimator == other.estimator && radius == other.radius;
+}
 
 std::vector<Method> Sweep::methods() const {
   std::vector<Method> result;
   for (std::size_t i = 0; i < std::max<std::size_t>(1, radii.size()); ++i)
     for (const std::string& name : estimators) {
       if (takes_radius(name, dimension())) {
-        for (const Evaluation evaluation : evaluations) result.push_back({name, radii[i], evaluation});
+        const RadiusRule radius = radii.empty() ? usual_radius(name, dimension()) : radii[i];
+        for (const Evaluation evaluation : evaluations) result.push_back({name, radius, evaluation});
       } else if (i == 0) {
         result.push_back({name, std::nullopt, std::nullopt});
       }

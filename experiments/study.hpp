@@ -17,6 +17,9 @@ struct Method {
   std::string estimator;
   std::optional<RadiusRule> radius;      ///< where the estimator takes one
   std::optional<Evaluation> evaluation;  ///< likewise
+
+  /// Whether both must give the same numbers: all but the evaluation is the same.
+  bool agrees_with(const Method& other) const;
 };
 
 /// Every combination of what it lists, at every h of the schedule, under `shifts` random placements each.
@@ -24,7 +27,7 @@ struct Sweep {
   std::vector<ShapeSpec> shapes;  ///< of one dimension
   std::vector<std::string> estimators;
   std::vector<Evaluation> evaluations;  ///< the first one gives the errors; all are timed, and must agree
-  std::vector<RadiusRule> radii;        ///< R(h) = k h^alpha; none where no estimator takes one
+  std::vector<RadiusRule> radii;        ///< R(h) = k h^alpha; none: the usual one of each estimator
   std::vector<double> noise;            ///< beta of Kanungo noise, 0 for none
   KernelCentre centre = KernelCentre::spels;
   Schedule schedule;

@@ -23,7 +23,8 @@ struct EvaluationWork {
 ///
 /// f is any shape functor that can fill a dense window: f.fill(box, values) writes f over the box in raster
 /// order, as ShapeFunctor::Value (std::uint8_t for a digital set, a grey value, a real). g is the kernel's
-/// weight. Sum is PlainSum or MomentSums over a type that holds the products (std::int64_t for integers).
+/// weight. Sum is PlainSum or MomentSums over a type that holds the products (std::int64_t for integers), or a type of
+/// the same form: add() takes the points of a group of equal weights, merge() the group with its weight.
 ///
 /// Without masks, by the whole kernel at every point; with them, incrementally (see Evaluation). Points are
 /// taken block by block; a block's window is filled once. Within a block, `masks` walks a spanning tree of

@@ -35,13 +35,13 @@ void accumulate(PlainSum<d, Accumulated>& sum, const Value* at, const LinearOffs
   }
 }
 
-template <int d, class Value, class Weight, class Accumulated>
-void accumulate(MomentSums<d, Accumulated>& sum, const Value* at, const LinearOffsets<d, Weight>& linear) {
+template <class Sum, int d, class Value, class Weight>
+void accumulate(Sum& sum, const Value* at, const LinearOffsets<d, Weight>& linear) {
   for (const auto& group : linear.offsets->groups) {
-    MomentSums<d, Accumulated> part;
+    Sum part;
     for (std::size_t i = group.begin; i < group.end; ++i)
-      if (const auto value = at[linear.distance[i]]) part.add(Accumulated(value), linear.offsets->offsets[i]);
-    sum.merge(part, Accumulated(group.weight));
+      if (const auto value = at[linear.distance[i]]) part.add(value, linear.offsets->offsets[i]);
+    sum.merge(part, group.weight);
   }
 }
 

@@ -39,7 +39,8 @@ class RowRuns {
   void for_each_run(int y, int first, int last, Visit visit) const {
     const auto [begin, end] = runs_of(y);
     auto run = std::lower_bound(begin, end, first, [](const Run& r, int value) { return r.last < value; });
-    for (; run != end && run->first <= last; ++run) visit(std::max(run->first, first), std::min(run->last, last));
+    for (; run != end && run->first <= last; ++run)
+      visit(std::max(run->first, first), std::min(run->last, last));
   }
 
   /// Number of points in the disk around a digital point: the sum that `ii` takes with that radius, for radii

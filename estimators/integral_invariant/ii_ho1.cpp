@@ -3,10 +3,11 @@
 namespace gridstep {
 
 EstimatorEntry describe_ii_ho1() {
-  return radial_entry("ii-ho1",
-                      "ii-pf1 that does not see how curvature changes either, to second order in R: for smooth shapes, "
-                      "with a greater R",
-                      2);
+  return radial_entry(
+      "ii-ho1",
+      "ii-pf1 that does not see how curvature changes either, to second order in R: for smooth shapes, "
+      "with a greater R",
+      {.vanishing = 2, .usual_k_2d = 8, .usual_k_3d = 6.75});
 }
 
 }  // namespace gridstep

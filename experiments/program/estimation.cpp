@@ -85,7 +85,9 @@ std::vector<Estimation<d>> chosen(const EstimateOptions& options, const std::opt
                      [&](const Quantity& q) { return wanted(options, q.name); }))
       throw InputError(fmt::format("--quantity {}: estimator '{}' has{}", options.quantity, name, known));
     if (variant.takes_radius && !R)
-      throw InputError(fmt::format("estimator '{}' needs one of --radius and --k", name));
+      throw InputError(fmt::format("estimator '{}' needs one of --radius and --k (usual: --k {:.4g})", name,
+                                   variant.usual_k));
+    if (variant.takes_radius) variant.require(parse_evaluation(options.evaluation), name);
     radius_used |= variant.takes_radius;
     result.push_back({name, &variant, {}, {}, {}, 0, 0});
   }
@@ -107,7 +109,7 @@ double predicted_memory(const std::vector<Estimation<d>>& estimations, const Rea
     const bool moments = d == 3 && e.variant->quantities.size() > 1;
     bytes += surfels * predicted_surfel_memory(moments);
     if (R && e.variant->takes_radius)
-      tables = std::max(tables, predicted_table_memory<d>(to_digital(*R, h), moments, evaluation,
+      tables = std::max(tables, predicted_table_memory<d>(*e.variant, to_digital(*R, h), evaluation,
                                                           tbb::this_task_arena::max_concurrency()));
   }
   return bytes + tables;

@@ -47,6 +47,22 @@ bool takes_radius(const EstimatorEntry& entry) {
   return entry.in_2d ? entry.in_2d->takes_radius : entry.in_3d->takes_radius;
 }
 
+template <class Variant>
+ordered_json usual_k(const std::optional<Variant>& variant) {
+  return variant && variant->takes_radius ? ordered_json(variant->usual_k) : ordered_json();
+}
+
+std::string radius_text(const EstimatorEntry& entry) {
+  if (!takes_radius(entry)) return "no radius";
+  std::string usual;
+  const auto add = [&usual](const char* dimension, const auto& variant) {
+    if (variant) usual += fmt::format("{}{} in {}", usual.empty() ? "" : ", ", variant->usual_k, dimension);
+  };
+  add("2D", entry.in_2d);
+  add("3D", entry.in_3d);
+  return fmt::format("takes a radius (usual k: {})", usual);
+}
+
 const char* values_at(const EstimatorEntry& entry) {
   return entry.in_2d && entry.in_2d->position == ValuePosition::start_pointel ? "start pointel"
                                                                               : "surfel centre";
@@ -60,6 +76,8 @@ ordered_json estimators_json() {
                       {"quantities_2d", quantities_json(entry.in_2d)},
                       {"quantities_3d", quantities_json(entry.in_3d)},
                       {"takes_radius", takes_radius(entry)},
+                      {"usual_k_2d", usual_k(entry.in_2d)},
+                      {"usual_k_3d", usual_k(entry.in_3d)},
                       {"values_at", values_at(entry)}});
   return result;
 }
@@ -99,8 +117,7 @@ void print_estimators() {
     };
     print_quantities("2D", entry.in_2d);
     print_quantities("3D", entry.in_3d);
-    fmt::print("  {:<18}   {}, values at the {}\n", "", takes_radius(entry) ? "takes a radius" : "no radius",
-               values_at(entry));
+    fmt::print("  {:<18}   {}, values at the {}\n", "", radius_text(entry), values_at(entry));
   }
 }
 

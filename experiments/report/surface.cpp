@@ -41,7 +41,8 @@ void require_memory_for(const Record& record, const Shape<3>& shape) {
   const int threads = tbb::this_task_arena::max_concurrency();
   require_memory(predicted_set_memory<3>(shape.bounds(), h) +
                      predicted_surfels<3>(shape.bounds(), h) * predicted_surfel_memory(true) +
-                     predicted_table_memory<3>(radius, true, Evaluation::bricks, threads),
+                     predicted_table_memory<3>(find_estimator(record.estimator).variant<3>(), radius,
+                                               Evaluation::bricks, threads),
                  record.estimator);
 }
 

@@ -34,6 +34,7 @@ struct RadiusRule {
   double alpha = 1.0 / 3.0;
 
   EuclideanLength at(GridStep h) const { return {k * std::pow(h.value, alpha)}; }
+  friend bool operator==(const RadiusRule&, const RadiusRule&) = default;
 };
 
 }  // namespace gridstep

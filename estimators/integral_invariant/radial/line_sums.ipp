@@ -40,7 +40,8 @@ GRIDSTEP_INLINE std::int64_t pair_sum(const Line& line) {
   return lane_sum(line * Line{0, 0, 1, 3, 6, 10, 15, 21});
 }
 
-void add_brick(const WeightTables& tables, const LatticePoint<3>& offset, const std::uint64_t* words, RadialSum& sum) {
+void add_brick(const WeightTables& tables, const LatticePoint<3>& offset, const std::uint64_t* words,
+               RadialSum& sum) {
   // Running sums along z of running sums along y; the digits are how often y and z were summed.
   Line g00{}, w00{}, w10{}, w01{}, u00{}, u10{}, u20{}, u01{}, u11{}, u02{};
   const std::ptrdiff_t side = tables.side(), line_stride = 3 * side;
@@ -79,7 +80,9 @@ void add_brick(const WeightTables& tables, const LatticePoint<3>& offset, const 
   const std::int64_t uxy = place_sum(u10) - ux, uxz = place_sum(u01) - ux, uyz = lane_sum(u11) - u1 - u2 + u;
   const std::int64_t uyy = 2 * lane_sum(u20) - 3 * u1 + u, uzz = 2 * lane_sum(u02) - 3 * u2 + u;
   // The coordinates from the centre are a + 2 x, b + 2 y, c + 2 z.
-  const auto coordinate = [&](int axis) { return 2 * std::int64_t{offset[axis]} - (axis == tables.half_axis()); };
+  const auto coordinate = [&](int axis) {
+    return 2 * std::int64_t{offset[axis]} - (axis == tables.half_axis());
+  };
   const std::int64_t a = coordinate(0), b = coordinate(1), c = coordinate(2);
   sum.trace += lane_sum(g00);
   sum.edge += w;

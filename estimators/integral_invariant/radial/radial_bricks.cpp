@@ -20,7 +20,8 @@ class FullBricks {
     for (int i = 0, pair = 0; i < 3; ++i) {
       fill(tables, kEdge, [i](RadialSum& s) -> std::int64_t& { return s.edge_first[std::size_t(i)]; }, {i});
       for (int j = i; j < 3; ++j, ++pair)
-        fill(tables, kTensor, [pair](RadialSum& s) -> std::int64_t& { return s.tensor_second[std::size_t(pair)]; }, {i, j});
+        fill(tables, kTensor,
+             [pair](RadialSum& s) -> std::int64_t& { return s.tensor_second[std::size_t(pair)]; }, {i, j});
     }
   }
 
@@ -34,7 +35,8 @@ class FullBricks {
  private:
   /// Of the entry for no brick at all; the next one is for the lowest brick alone.
   std::size_t index(int bit, int y, int z) const {
-    return ((std::size_t(bit) * std::size_t(width_) + std::size_t(z + most_)) * std::size_t(width_) + std::size_t(y + most_)) *
+    return ((std::size_t(bit) * std::size_t(width_) + std::size_t(z + most_)) * std::size_t(width_) +
+            std::size_t(y + most_)) *
            std::size_t(width_ + 1);
   }
 
@@ -45,13 +47,15 @@ class FullBricks {
     const int low = -8 * most_ - 7, points = 2 * -low + 8, cubes = points - 7;
     std::vector<std::int64_t> sums(std::size_t(points) * std::size_t(points) * std::size_t(points));
     const int reach = tables.reach();
-    for_each_point(LatticeBox<3>{LatticePoint<3>::Constant(-reach), LatticePoint<3>::Constant(reach)},
-                   [&](const LatticePoint<3>& p) {
-                     std::int64_t value = tables.begin(p)[kernel * tables.side()];
-                     for (const int axis : axes) value *= 2 * std::int64_t{p[axis]} - (axis == tables.half_axis());
-                     const LatticePoint<3> q = p.array() - low;
-                     sums[(std::size_t(q[2]) * std::size_t(points) + std::size_t(q[1])) * std::size_t(points) + std::size_t(q[0])] = value;
-                   });
+    for_each_point(
+        LatticeBox<3>{LatticePoint<3>::Constant(-reach), LatticePoint<3>::Constant(reach)},
+        [&](const LatticePoint<3>& p) {
+          std::int64_t value = tables.begin(p)[kernel * tables.side()];
+          for (const int axis : axes) value *= 2 * std::int64_t{p[axis]} - (axis == tables.half_axis());
+          const LatticePoint<3> q = p.array() - low;
+          sums[(std::size_t(q[2]) * std::size_t(points) + std::size_t(q[1])) * std::size_t(points) +
+               std::size_t(q[0])] = value;
+        });
     std::size_t stride = 1;
     for (int axis = 0; axis < 3; ++axis, stride *= std::size_t(points))
       parallel_chunks(sums.size() / std::size_t(points), 256, [&](std::size_t begin, std::size_t end) {
@@ -77,7 +81,9 @@ class FullBricks {
               component(row[x + most_]) = total;
               if (x > most_) break;
               const LatticePoint<3> q = tables.offset({x, y, z}, int(bit)).array() - low;
-              total += sums[(std::size_t(q[2]) * std::size_t(points) + std::size_t(q[1])) * std::size_t(points) + std::size_t(q[0])];
+              total +=
+                  sums[(std::size_t(q[2]) * std::size_t(points) + std::size_t(q[1])) * std::size_t(points) +
+                       std::size_t(q[0])];
             }
           }
     });
@@ -131,8 +137,9 @@ struct RadialBricks::Tables {
 
 RadialBricks::RadialBricks(const RadialWeights& weights, DigitalLength radius, int half_axis) {
   if (radius.value > kGreatestRadius)
-    throw InputError(fmt::format("kernel radius R/h = {:.6g}: the tables of radial kernels are made for {} cells at most",
-                                 radius.value, kGreatestRadius));
+    throw InputError(
+        fmt::format("kernel radius R/h = {:.6g}: the tables of radial kernels are made for {} cells at most",
+                    radius.value, kGreatestRadius));
   tables_ = std::make_unique<Tables>(weights, radius, half_axis);
 }
 RadialBricks::RadialBricks(RadialBricks&&) noexcept = default;
@@ -159,7 +166,8 @@ std::vector<RadialSum> RadialBricks::eval(const DigitalSet<3>& set, const bricks
         for (const Neighbours::Mixed& mixed : neighbours.mixed)
           if (const LatticePoint<3> offset = weights.offset(mixed.brick, bit); weights.meets(offset))
             add(weights, offset, mixed.words, *sum);
-        for (const Neighbours::Run& run : neighbours.runs) full.add(bit, run.first, run.last, run.y, run.z, *sum);
+        for (const Neighbours::Run& run : neighbours.runs)
+          full.add(bit, run.first, run.last, run.y, run.z, *sum);
         visited += std::int64_t(neighbours.mixed.size() + neighbours.runs.size());
         ++sum;
       });

@@ -37,7 +37,8 @@ class RadialBricks {
 
   /// One sum for each spel, the lower one of its surfel, in the order of their positions. Runs on all threads of the
   /// current arena. In `work`, cells_visited are the mixed bricks and the runs, summed up over the spels.
-  std::vector<RadialSum> eval(const DigitalSet<3>& set, const bricks::SpelsByBrick<3>& spels, EvaluationWork* work) const;
+  std::vector<RadialSum> eval(const DigitalSet<3>& set, const bricks::SpelsByBrick<3>& spels,
+                              EvaluationWork* work) const;
 
  private:
   struct Tables;

@@ -10,8 +10,9 @@ namespace gridstep {
 ///
 /// All is in units of R: integrals are those over the unit ball, less what a half-space through c has, and curvatures come
 /// out as kappa R. The shape is the part below z = delta - (k1 u^2 + k2 v^2) / 2, z along the normal. Integrals over it are
-/// to first order ones over the disc z = 0, of |x|^n times the kernel: M_n. The second order in delta is taken off; it
-/// comes from the z^3 of the kernel's own expansion, and by partial integration from the same moments.
+/// to first order ones over the disc z = 0, of |x|^n times the kernel: M_n. What the kernel's own expansion, g' z^3 / 3,
+/// adds with delta is taken off: delta^3 S / 3, S the integral of g' over the disc, and terms in delta times squares of
+/// curvatures, which by partial integration have the same moments.
 class RadialCurvature {
  public:
   explicit RadialCurvature(const RadialKernels& kernels);
@@ -25,12 +26,12 @@ class RadialCurvature {
   ///   tensor's deviator in the tangent plane = -M_4 s (1 + 3/2 delta t) / 8 times that of diag(1, -1).
   /// @param edge_first integral of the edge kernel times x: normal to the boundary, it points inwards
   /// @param fallback_normal taken where edge_first is zero
-  PrincipalCurvatures in_3d(double trace, double edge, const Eigen::Vector3d& edge_first, const Eigen::Matrix3d& tensor,
-                            const Eigen::Vector3d& fallback_normal) const;
+  PrincipalCurvatures in_3d(double trace, double edge, const Eigen::Vector3d& edge_first,
+                            const Eigen::Matrix3d& tensor, const Eigen::Vector3d& fallback_normal) const;
 
  private:
   struct Moments {
-    double trace_2, edge_0, edge_2, tensor_4;
+    double trace_2, trace_slope, edge_0, edge_2, edge_slope, tensor_4;
   };
   Moments line_, disc_;
 };

@@ -30,11 +30,12 @@ class RadialIntegralInvariant final : public Estimator<d> {
  public:
   static std::vector<std::string> quantities() {
     if constexpr (d == 2) return {"kappa"};
-    return {"mean",     "gaussian", "k1",     "k2",     "normal_x", "normal_y", "normal_z",
-            "dir1_x",   "dir1_y",   "dir1_z", "dir2_x", "dir2_y",   "dir2_z"};
+    return {"mean",   "gaussian", "k1",     "k2",     "normal_x", "normal_y", "normal_z",
+            "dir1_x", "dir1_y",   "dir1_z", "dir2_x", "dir2_y",   "dir2_z"};
   }
 
-  RadialIntegralInvariant(const DigitalSet<d>& set, const RadialKernels& kernels, const EstimatorOptions& options)
+  RadialIntegralInvariant(const DigitalSet<d>& set, const RadialKernels& kernels,
+                          const EstimatorOptions& options)
       : sums_(set, kernels, options.evaluation), curvature_(kernels) {}
 
   void init(GridStep h, EuclideanLength R) override {
@@ -102,7 +103,7 @@ class RadialIntegralInvariant final : public Estimator<d> {
       }
       const PrincipalCurvatures c = curvature_.in_3d(trace, edge, first, second, outwards);
       const double k1 = c.k1 / R_.value, k2 = c.k2 / R_.value;
-      return {(k1 + k2) / 2, k1 * k2,    k1,         k2,         c.normal[0], c.normal[1], c.normal[2],
+      return {(k1 + k2) / 2, k1 * k2,   k1,        k2,        c.normal[0], c.normal[1], c.normal[2],
               c.dir1[0],     c.dir1[1], c.dir1[2], c.dir2[0], c.dir2[1],   c.dir2[2]};
     }
   }
@@ -115,8 +116,16 @@ class RadialIntegralInvariant final : public Estimator<d> {
 };
 
 template <int d>
-EstimatorEntry::Variant<d> variant(int vanishing) {
+EstimatorEntry::Variant<d> variant(int vanishing, double usual_k) {
   EstimatorEntry::Variant<d> result;
+  result.usual_k = usual_k;
+  result.evaluations = {Evaluation::full,
+                        Evaluation::bricks};  // a displacement mask would be as large as the kernel
+  result.centres = {KernelCentre::surfel};
+  // Prefix sums of the 11 components and weights, or 2 of rows, for surfels orthogonal to each axis.
+  result.table_memory = [](DigitalLength radius) {
+    return d == 2 ? 2 * 16 * std::pow(2 * radius.value + 4, 2) : 3 * 104 * std::pow(2 * radius.value + 20, 3);
+  };
   for (const std::string& quantity : RadialIntegralInvariant<d>::quantities())
     result.quantities.push_back({quantity, std::nullopt});
   result.make = [vanishing](const DigitalSet<d>& set, const EstimatorOptions& options) {
@@ -127,8 +136,9 @@ EstimatorEntry::Variant<d> variant(int vanishing) {
 
 }  // namespace
 
-EstimatorEntry radial_entry(const std::string& name, const std::string& summary, int vanishing) {
-  return {name, summary, variant<2>(vanishing), variant<3>(vanishing)};
+EstimatorEntry radial_entry(const std::string& name, const std::string& summary, const RadialFamily& family) {
+  return {name, summary, variant<2>(family.vanishing, family.usual_k_2d),
+          variant<3>(family.vanishing, family.usual_k_3d)};
 }
 
 }  // namespace gridstep

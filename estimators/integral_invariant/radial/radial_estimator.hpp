@@ -16,8 +16,12 @@ namespace gridstep {
 ///   Units  1/length (gaussian: 1/length^2), positive where the set is convex; directions are unit vectors
 ///   Bound  none proven; see vanishing_kernel() for what the kernels do not see, and radial_curvature.hpp for the formulas
 ///   Cost   see RadialSums
-/// @param vanishing number of vanishing moments: 1 frees curvature from the distance between surfel and boundary, 2 from
-///        the derivatives of curvature in R^2 too, and so on
-EstimatorEntry radial_entry(const std::string& name, const std::string& summary, int vanishing);
+struct RadialFamily {
+  /// Number of vanishing moments: 1 frees curvature from the distance between surfel and boundary, 2 from the derivatives
+  /// of curvature in R^2 too, and so on.
+  int vanishing;
+  double usual_k_2d, usual_k_3d;
+};
+EstimatorEntry radial_entry(const std::string& name, const std::string& summary, const RadialFamily& family);
 
 }  // namespace gridstep

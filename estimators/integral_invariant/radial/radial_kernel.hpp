@@ -20,6 +20,8 @@ struct RadialKernel {
   double integral(double a) const;
   /// Integral of |x|^order g over the unit ball of a dimension: 1 (an interval), 2 (a disc) or 3.
   double moment(int dimension, int order) const;
+  /// Integral of dg/dt over the unit ball of a dimension.
+  double slope_integral(int dimension) const;
 };
 
 /// The kernel with c_0 = 1 of the lowest degree whose moments of the given orders over the (d-1)-disc vanish.

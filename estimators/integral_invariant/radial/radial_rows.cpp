@@ -13,8 +13,9 @@ namespace gridstep {
 RadialRows::RadialRows(const RadialWeights& weights, DigitalLength radius, int half_axis) {
   const std::int64_t limit = squared_diameter(radius);
   if (radius.value > kGreatestRadius)
-    throw InputError(fmt::format("kernel radius R/h = {:.6g}: the tables of radial kernels are made for {} cells at most",
-                                 radius.value, kGreatestRadius));
+    throw InputError(
+        fmt::format("kernel radius R/h = {:.6g}: the tables of radial kernels are made for {} cells at most",
+                    radius.value, kGreatestRadius));
   reach_ = int(std::ceil(radius.value)) + 1;
   const auto squared = [](int p, bool half) {
     const std::int64_t x = 2 * std::int64_t{p} - half;
@@ -47,7 +48,8 @@ std::vector<RadialSum> RadialRows::eval(const RowRuns& rows, std::span<const Lat
         const int width = half_width_[std::size_t(y + reach_)];
         if (width < 0) continue;
         const int x = points[i][0];
-        const Prefix* const row = &prefix_[std::size_t(y + reach_) * std::size_t(2 * reach_ + 2) + std::size_t(reach_)];
+        const Prefix* const row =
+            &prefix_[std::size_t(y + reach_) * std::size_t(2 * reach_ + 2) + std::size_t(reach_)];
         rows.for_each_run(points[i][1] + y, x - width, x + width, [&](int first, int last) {
           result[i].trace += row[last + 1 - x].trace - row[first - x].trace;
           result[i].edge += row[last + 1 - x].edge - row[first - x].edge;

@@ -22,7 +22,8 @@ class RadialRows {
 
   /// One sum for each point, the lower spel of its linel. Runs on all threads of the current arena. In `work`,
   /// cells_visited are the runs.
-  std::vector<RadialSum> eval(const RowRuns& rows, std::span<const LatticePoint<2>> points, EvaluationWork* work) const;
+  std::vector<RadialSum> eval(const RowRuns& rows, std::span<const LatticePoint<2>> points,
+                              EvaluationWork* work) const;
 
  private:
   struct Prefix {

@@ -10,8 +10,9 @@ namespace gridstep {
 struct RadialSum {
   std::int64_t trace = 0;
   std::int64_t edge = 0;
-  std::array<std::int64_t, 3> edge_first{};     ///< sum of edge weight times x_i; 3D
-  std::array<std::int64_t, 6> tensor_second{};  ///< sum of tensor weight times x_i x_j: xx, xy, xz, yy, yz, zz; 3D
+  std::array<std::int64_t, 3> edge_first{};  ///< sum of edge weight times x_i; 3D
+  std::array<std::int64_t, 6>
+      tensor_second{};  ///< sum of tensor weight times x_i x_j: xx, xy, xz, yy, yz, zz; 3D
 
   RadialSum& operator+=(const RadialSum& other) {
     trace += other.trace;

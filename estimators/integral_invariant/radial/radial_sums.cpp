@@ -7,24 +7,42 @@ namespace gridstep {
 
 namespace {
 
-using Moments = MomentSums<3, std::int64_t>;
+/// What convolve() adds up: the offsets of a group of equal weights, and all groups with each of their weights.
+template <int d>
+struct RadialMoments {
+  MomentSums<d, std::int64_t> group, edge, tensor;
+  std::int64_t trace = 0;
 
-/// From offsets p of the lower spel to x = 2 p - e, e the unit vector along the surfel's axis.
-void set_edge(RadialSum& sum, const Moments& moments, int axis) {
-  sum.edge = moments.n;
-  for (int i = 0; i < 3; ++i) sum.edge_first[std::size_t(i)] = 2 * moments.first[std::size_t(i)] - (i == axis) * moments.n;
-}
-void set_tensor(RadialSum& sum, const Moments& moments, int axis) {
-  for (int i = 0, pair = 0; i < 3; ++i)
-    for (int j = i; j < 3; ++j, ++pair)
-      sum.tensor_second[std::size_t(pair)] =
-          4 * moments.second[std::size_t(pair)] - 2 * (j == axis) * moments.first[std::size_t(i)] -
-          2 * (i == axis) * moments.first[std::size_t(j)] + (i == axis && j == axis) * moments.n;
-}
+  void add(std::int64_t value, const LatticePoint<d>& p) { group.add(value, p); }
+  void merge(const RadialMoments& other, const RadialTriple& weight) {
+    trace += weight.trace * other.group.n;
+    edge.merge(other.group, weight.edge);
+    tensor.merge(other.group, weight.tensor);
+  }
+  void move(const LatticePoint<d>& step) {
+    edge.move(step);
+    tensor.move(step);
+  }
+  /// From offsets p of the lower spel to x = 2 p - e, e the unit vector along the surfel's axis.
+  RadialSum around_surfel(int axis) const {
+    RadialSum sum{trace, edge.n, {}, {}};
+    if constexpr (d == 3) {
+      for (int i = 0, pair = 0; i < 3; ++i) {
+        sum.edge_first[std::size_t(i)] = 2 * edge.first[std::size_t(i)] - (i == axis) * edge.n;
+        for (int j = i; j < 3; ++j, ++pair)
+          sum.tensor_second[std::size_t(pair)] =
+              4 * tensor.second[std::size_t(pair)] - 2 * (j == axis) * tensor.first[std::size_t(i)] -
+              2 * (i == axis) * tensor.first[std::size_t(j)] + (i == axis && j == axis) * tensor.n;
+      }
+    }
+    return sum;
+  }
+};
 
 template <int d>
-Kernel<d, std::int64_t> weighted(const RadialWeight& weight, const Kernel<d, std::int64_t>& ball, int axis) {
-  std::vector<std::pair<LatticePoint<d>, std::int64_t>> entries;
+Kernel<d, RadialTriple> weighted(const RadialWeights& weights, const Kernel<d, std::int64_t>& ball,
+                                 int axis) {
+  std::vector<std::pair<LatticePoint<d>, RadialTriple>> entries;
   entries.reserve(ball.size());
   for (const LatticePoint<d>& p : ball.offsets) {
     std::int64_t squared = 0;
@@ -32,34 +50,21 @@ Kernel<d, std::int64_t> weighted(const RadialWeight& weight, const Kernel<d, std
       const std::int64_t x = 2 * std::int64_t{p[k]} - (k == axis);
       squared += x * x;
     }
-    entries.emplace_back(p, weight(squared));
+    entries.emplace_back(p, weights(squared));
   }
-  return group_by_weight<d, std::int64_t>(std::move(entries));
+  return group_by_weight<d, RadialTriple>(std::move(entries));
 }
 
 /// Over the whole ball.
 template <int d>
-RadialSum sum_over(const RadialWeights& weights, const Kernel<d, std::int64_t>& ball, int axis) {
-  RadialSum sum;
-  for (const LatticePoint<d>& p : ball.offsets) {
-    std::array<std::int64_t, d> x;
-    std::int64_t squared = 0;
-    for (int k = 0; k < d; ++k) {
-      x[std::size_t(k)] = 2 * std::int64_t{p[k]} - (k == axis);
-      squared += x[std::size_t(k)] * x[std::size_t(k)];
-    }
-    const std::int64_t edge = weights.edge(squared);
-    sum.trace += weights.trace(squared);
-    sum.edge += edge;
-    if constexpr (d == 3) {
-      const std::int64_t tensor = weights.tensor(squared);
-      for (std::size_t i = 0, pair = 0; i < 3; ++i) {
-        sum.edge_first[i] += edge * x[i];
-        for (std::size_t j = i; j < 3; ++j) sum.tensor_second[pair++] += tensor * x[i] * x[j];
-      }
-    }
+RadialSum sum_over(const Kernel<d, RadialTriple>& kernel, int axis) {
+  RadialMoments<d> total;
+  for (const auto& group : kernel.groups) {
+    RadialMoments<d> sum;
+    for (std::size_t i = group.begin; i != group.end; ++i) sum.add(1, kernel.offsets[i]);
+    total.merge(sum, group.weight);
   }
-  return sum;
+  return total.around_surfel(axis);
 }
 
 }  // namespace
@@ -70,69 +75,48 @@ void RadialSums<d>::init(GridStep h, EuclideanLength R) {
   balls_.clear();
   work_ = {};
   for (int axis = 0; axis < d; ++axis) {
-    const Kernel<d, std::int64_t> kernel = ball_kernel<d>(radius, axis);  // refuses a bad radius first
-    if (axis == 0)
-      weights_.emplace(RadialWeights{{kernels_.trace, radius}, {kernels_.edge, radius}, {kernels_.tensor, radius}});
-    Ball ball;
-    ball.whole = sum_over<d>(*weights_, kernel, axis);
-    if (evaluation_ == Evaluation::bricks) {
+    const Kernel<d, std::int64_t> points = ball_kernel<d>(radius, axis);  // refuses a bad radius first
+    if (axis == 0) weights_.emplace(kernels_, radius);
+    work_.kernel_size = std::int64_t(points.size());
+    Kernel<d, RadialTriple> kernel = weighted<d>(*weights_, points, axis);
+    Ball ball{sum_over<d>(kernel, axis), {}, {}};
+    if (evaluation_ == Evaluation::bricks)
       ball.fast.emplace(*weights_, radius, axis);
-    } else {
-      const auto make = [&](const RadialWeight& weight) {
-        Weighted result{weighted<d>(weight, kernel, axis), {}};
-        if (evaluation_ == Evaluation::masks) result.masks.emplace(result.kernel);
-        return result;
-      };
-      ball.trace = make(weights_->trace);
-      ball.edge = make(weights_->edge);
-      if (d == 3) ball.tensor = make(weights_->tensor);
-    }
-    work_.kernel_size = std::int64_t(kernel.size());
+    else
+      ball.kernel = std::move(kernel);
     balls_.push_back(std::move(ball));
   }
 }
 
 template <int d>
-template <class Sum>
-std::vector<Sum> RadialSums<d>::convolve_at(const Weighted& weighted, std::span<const LatticePoint<d>> points,
-                                            EvaluationWork& work) {
-  return convolve<Sum>(Indicator<d>(set_), weighted.kernel, weighted.masks ? &*weighted.masks : nullptr, points, &work);
-}
-
-template <int d>
-std::vector<RadialSum> RadialSums<d>::sums_at(int axis, std::span<const LatticePoint<d>> points, EvaluationWork& work) {
-  using Plain = PlainSum<d, std::int64_t>;
+std::vector<RadialSum> RadialSums<d>::sums_at(int axis, std::span<const LatticePoint<d>> points,
+                                              EvaluationWork& work) {
   const Ball& ball = balls_[std::size_t(axis)];
-  std::vector<RadialSum> result(points.size());
-  EvaluationWork others;
-  const auto trace = convolve_at<Plain>(ball.trace, points, work);
-  for (std::size_t i = 0; i < points.size(); ++i) result[i].trace = trace[i].n;
   if constexpr (d == 2) {
-    const auto edge = convolve_at<Plain>(ball.edge, points, others);
-    for (std::size_t i = 0; i < points.size(); ++i) result[i].edge = edge[i].n;
-  } else {
-    const auto edge = convolve_at<Moments>(ball.edge, points, others);
-    for (std::size_t i = 0; i < points.size(); ++i) set_edge(result[i], edge[i], axis);
-    const auto tensor = convolve_at<Moments>(ball.tensor, points, others);
-    for (std::size_t i = 0; i < points.size(); ++i) set_tensor(result[i], tensor[i], axis);
+    if (ball.fast) {
+      if (!rows_) rows_.emplace(set_);
+      return ball.fast->eval(*rows_, points, &work);
+    }
   }
-  work.cells_visited += others.cells_visited;
-  work.restarts += others.restarts;
+  std::vector<RadialSum> result;
+  result.reserve(points.size());
+  for (const auto& moments :
+       convolve<RadialMoments<d>>(Indicator<d>(set_), ball.kernel, nullptr, points, &work))
+    result.push_back(moments.around_surfel(axis));
   return result;
 }
 
 template <int d>
 void RadialSums<d>::eval_along(int axis, std::span<const Surfel<d>> surfels, std::span<RadialSum> result,
                                EvaluationWork& work) {
-  const Ball& ball = balls_[std::size_t(axis)];
   if constexpr (d == 3) {
-    if (ball.fast) {
+    if (const auto& fast = balls_[std::size_t(axis)].fast) {
       bricks::SpelsByBrick<3> spels;
       bricks::SpelsByBrick<3>::Memo memo;
       for (const Surfel<3>& surfel : surfels)
         if (surfel.axis == axis) spels.insert(lower_spel(surfel), memo);
       spels.number();
-      const std::vector<RadialSum> sums = ball.fast->eval(set_, spels, &work);
+      const std::vector<RadialSum> sums = fast->eval(set_, spels, &work);
       for (std::size_t i = 0; i < surfels.size(); ++i)
         if (surfels[i].axis == axis) result[i] = sums[spels.position(lower_spel(surfels[i]), memo)];
       return;
@@ -142,14 +126,7 @@ void RadialSums<d>::eval_along(int axis, std::span<const Surfel<d>> surfels, std
   for (const Surfel<d>& surfel : surfels)
     if (surfel.axis == axis) spels.push_back(lower_spel(surfel));
   const DistinctPoints<d> distinct(std::move(spels));
-  std::vector<RadialSum> sums;
-  if constexpr (d == 2) {
-    if (ball.fast) {
-      if (!rows_) rows_.emplace(set_);
-      sums = ball.fast->eval(*rows_, distinct.points, &work);
-    }
-  }
-  if (!ball.fast) sums = sums_at(axis, distinct.points, work);
+  const std::vector<RadialSum> sums = sums_at(axis, distinct.points, work);
   for (std::size_t i = 0; i < surfels.size(); ++i)
     if (surfels[i].axis == axis) result[i] = sums[distinct.position(lower_spel(surfels[i]))];
 }

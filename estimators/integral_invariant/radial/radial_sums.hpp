@@ -14,8 +14,8 @@
 namespace gridstep {
 
 /// The sums of radial kernels over a digital set, surfel by surfel.
-///   full, masks  through convolve(), each kernel on its own: displacement masks of weights are hardly smaller than kernels
-///   bricks       RadialBricks in 3D, O((R/h)^2) for each surfel; RadialRows in 2D, O(R/h)
+///   full    through convolve(): the whole kernel at every surfel, the plain reference
+///   bricks  RadialBricks in 3D, O((R/h)^2) for each surfel; RadialRows in 2D, O(R/h)
 template <int d>
 class RadialSums {
  public:
@@ -32,21 +32,16 @@ class RadialSums {
   EstimatorWork work() const { return work_; }
 
  private:
-  struct Weighted {
-    Kernel<d, std::int64_t> kernel;
-    std::optional<DisplacementMasks<d, std::int64_t>> masks;
-  };
   using Fast = std::conditional_t<d == 2, RadialRows, RadialBricks>;
-  /// Around surfels orthogonal to one axis: kernels or `fast`.
+  /// Around surfels orthogonal to one axis.
   struct Ball {
-    Weighted trace, edge, tensor;
-    std::optional<Fast> fast;
     RadialSum whole;
+    Kernel<d, RadialTriple> kernel;  // for `full`
+    std::optional<Fast> fast;        // for `bricks`
   };
-  template <class Sum>
-  std::vector<Sum> convolve_at(const Weighted& weighted, std::span<const LatticePoint<d>> points, EvaluationWork& work);
   std::vector<RadialSum> sums_at(int axis, std::span<const LatticePoint<d>> points, EvaluationWork& work);
-  void eval_along(int axis, std::span<const Surfel<d>> surfels, std::span<RadialSum> result, EvaluationWork& work);
+  void eval_along(int axis, std::span<const Surfel<d>> surfels, std::span<RadialSum> result,
+                  EvaluationWork& work);
 
   const DigitalSet<d>& set_;
   RadialKernels kernels_;

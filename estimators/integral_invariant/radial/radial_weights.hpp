@@ -1,5 +1,6 @@
 #pragma once
 
+#include <compare>
 #include <cstdint>
 
 #include "estimators/integral_invariant/radial/radial_kernel.hpp"
@@ -30,8 +31,20 @@ class RadialWeight {
   double squared_diameter_, unit_;
 };
 
+/// Weights of the three kernels at one point.
+struct RadialTriple {
+  std::int64_t trace = 0, edge = 0, tensor = 0;
+  friend auto operator<=>(const RadialTriple&, const RadialTriple&) = default;
+};
+
 struct RadialWeights {
   RadialWeight trace, edge, tensor;
+
+  RadialWeights(const RadialKernels& kernels, DigitalLength radius)
+      : trace(kernels.trace, radius), edge(kernels.edge, radius), tensor(kernels.tensor, radius) {}
+  RadialTriple operator()(std::int64_t squared) const {
+    return {trace(squared), edge(squared), tensor(squared)};
+  }
 };
 
 }  // namespace gridstep

@@ -28,7 +28,8 @@ WeightTables::WeightTables(const RadialWeights& weights, DigitalLength radius, i
   for (std::ptrdiff_t z = 0; z < side_; ++z)
     for (std::ptrdiff_t y = 0; y < side_; ++y, line += 3 * side_)
       for (std::ptrdiff_t x = 0; x < side_; ++x) {
-        const std::int64_t squared = squares[0][std::size_t(x)] + squares[1][std::size_t(y)] + squares[2][std::size_t(z)];
+        const std::int64_t squared =
+            squares[0][std::size_t(x)] + squares[1][std::size_t(y)] + squares[2][std::size_t(z)];
         if (squared > limit_) continue;
         line[x] = std::int32_t(weights.trace(squared));
         line[side_ + x] = std::int32_t(weights.edge(squared));

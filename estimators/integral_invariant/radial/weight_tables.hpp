@@ -34,7 +34,8 @@ class WeightTables {
   /// The weights of the point at that offset: those of trace, edge and tensor kernel are side() apart, points along x
   /// follow each other, lines along y are 3 side() and planes 3 side()^2 apart.
   const std::int32_t* begin(const LatticePoint<3>& offset) const {
-    return &weights_[std::size_t(((offset[2] + margin()) * side_ + offset[1] + margin()) * 3 * side_ + offset[0] + margin())];
+    return &weights_[std::size_t(((offset[2] + margin()) * side_ + offset[1] + margin()) * 3 * side_ +
+                                 offset[0] + margin())];
   }
   std::ptrdiff_t side() const { return side_; }
 
@@ -46,7 +47,8 @@ class WeightTables {
   std::int64_t limit_;
   std::ptrdiff_t side_;
   std::vector<std::int32_t> weights_;
-  std::array<std::vector<std::int64_t>, 3> nearest_;  // least squared coordinate of eight in a row, in half cells
+  std::array<std::vector<std::int64_t>, 3>
+      nearest_;  // least squared coordinate of eight in a row, in half cells
 };
 
 }  // namespace gridstep
