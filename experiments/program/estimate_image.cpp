@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "experiments/program/estimation.hpp"
 #include "experiments/program/surfel_output.hpp"
@@ -42,6 +43,15 @@ void estimate_on_image(EstimateOptions options) {
     output.write<2>(table, contours.surfels, h);
   }
 
+  if (options.json) {
+    nlohmann::ordered_json json{{"image", options.image},
+                                {"extent", {image.width, image.height}},
+                                {"foreground", {range.low, range.high}},
+                                {"pixels", set.size()}};
+    json.update(head_json(h, R, contours.surfels.size(), contours.components()));
+    for (const Estimation<2>& e : estimations) json["estimates"].push_back(to_json(e, options));
+    return fmt::print("{}\n", json.dump(2));
+  }
   std::FILE* out = output.summary_stream();
   fmt::print(out, "{}: {} x {} pixels, {} in [{}, {}], h = {}{}\n", options.image, image.width, image.height,
              set.size(), range.low, range.high, h.value, radius_text(R, h));

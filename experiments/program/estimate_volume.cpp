@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "experiments/memory.hpp"
 #include "experiments/program/estimation.hpp"
@@ -40,6 +41,16 @@ void estimate_on_volume(EstimateOptions options) {
     output.write<3>(table, surface.surfels, h);
   }
 
+  if (options.json) {
+    nlohmann::ordered_json json{{"volume", options.volume.path},
+                                {"extent", {volume.extent[0], volume.extent[1], volume.extent[2]}},
+                                {"type", name_of(volume.type)},
+                                {"foreground", {range->low, range->high}},
+                                {"voxels", set.size()}};
+    json.update(head_json(h, R, surface.surfels.size(), surface.components()));
+    for (const Estimation<3>& e : estimations) json["estimates"].push_back(to_json(e, options));
+    return fmt::print("{}\n", json.dump(2));
+  }
   std::FILE* out = output.summary_stream();
   fmt::print(out, "{}: {} x {} x {} voxels of {}, {} in [{}, {}], h = {}{}, {}\n", options.volume.path,
              volume.extent[0], volume.extent[1], volume.extent[2], name_of(volume.type), set.size(),

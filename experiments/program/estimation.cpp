@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "estimators/contour/digital_contour.hpp"
 #include "experiments/core/text.hpp"
 #include "experiments/memory.hpp"
+#include "experiments/record.hpp"
 
 namespace gridstep {
 
@@ -181,6 +183,33 @@ void print_work(std::FILE* out, const Estimation<d>& e, const EstimateOptions& o
              format_seconds(e.seconds_eval), 1e9 * e.seconds_eval / double(surfels));
 }
 
+nlohmann::ordered_json head_json(GridStep h, const std::optional<EuclideanLength>& R, std::size_t surfels,
+                                 std::size_t components) {
+  nlohmann::ordered_json json{{"h", h.value}};
+  if (R) json.update({{"radius", R->value}, {"digital_radius", to_digital(*R, h).value}});
+  json["surfels"] = surfels;
+  if (components > 0) json["components"] = components;  // else they were not counted
+  return json;
+}
+
+template <int d>
+nlohmann::ordered_json to_json(const Estimation<d>& e, const EstimateOptions& options) {
+  nlohmann::ordered_json ranges = nlohmann::ordered_json::object();
+  for (std::size_t q = 0; q < e.estimates.quantities.size(); ++q) {
+    const std::vector<double>& column = e.estimates.columns[q];
+    if (!wanted(options, e.estimates.quantities[q]) || column.empty()) continue;
+    const auto [least, most] = std::minmax_element(column.begin(), column.end());
+    ranges[e.estimates.quantities[q]] = {*least, *most};
+  }
+  nlohmann::ordered_json json{{"estimator", e.name}, {"ranges", ranges}};
+  if (e.variant->takes_radius) {
+    json["evaluation"] = options.evaluation;
+    json["work"] = to_json(e.work);
+  }
+  json["seconds"] = {{"init", e.seconds_init}, {"eval", e.seconds_eval}};
+  return json;
+}
+
 std::string radius_text(const std::optional<EuclideanLength>& R, GridStep h) {
   return R ? fmt::format(", R = {:.6g} (R/h = {:.6g})", R->value, to_digital(*R, h).value) : "";
 }
@@ -196,7 +225,8 @@ std::string radius_text(const std::optional<EuclideanLength>& R, GridStep h) {
                                     std::span<const std::size_t>);                                           \
   template void add_estimates(SurfelTable&, const Estimation<d>&, const std::string&,                        \
                               const EstimateOptions&);                                                       \
-  template void print_work(std::FILE*, const Estimation<d>&, const EstimateOptions&, std::size_t);
+  template void print_work(std::FILE*, const Estimation<d>&, const EstimateOptions&, std::size_t);           \
+  template nlohmann::ordered_json to_json(const Estimation<d>&, const EstimateOptions&);
 GRIDSTEP_INSTANTIATE(2)
 GRIDSTEP_INSTANTIATE(3)
 #undef GRIDSTEP_INSTANTIATE
