@@ -19,7 +19,8 @@ void read_input(JsonReader& detail, DetailStudy& study) {
     study.h = detail.number("h", 0);
     if (detail.has("threshold")) {
       const std::vector<double> bounds = detail.numbers("threshold");
-      if (bounds.size() != 2 || !(bounds[0] <= bounds[1])) detail.fail("threshold", "[low, high] with low <= high");
+      if (bounds.size() != 2 || !(bounds[0] <= bounds[1]))
+        detail.fail("threshold", "[low, high] with low <= high");
       study.threshold = {bounds[0], bounds[1]};
     }
   } else {
@@ -60,7 +61,8 @@ DetailStudy DetailStudy::read(const nlohmann::json& json, const std::string& sou
   study.digital_radii = detail.numbers("digital_radii");
   std::vector<double> sorted = study.digital_radii;
   std::sort(sorted.begin(), sorted.end());
-  if (sorted.empty() || !(sorted.front() >= 1) || std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end())
+  if (sorted.empty() || !(sorted.front() >= 1) ||
+      std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end())
     detail.fail("digital_radii", "a list of different numbers, R/h, of at least 1");
   detail.finish();
   reader.finish();

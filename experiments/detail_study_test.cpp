@@ -73,7 +73,8 @@ TEST(DetailStudy, NamesWhatIsWrong) {
   for (const auto& [detail, named] : cases) {
     const std::string message = failure_of([&] { DetailStudy::read(study_of(detail), "mine.json"); });
     EXPECT_TRUE(message.starts_with("mine.json: ")) << message;
-    for (const std::string& text : named) EXPECT_NE(message.find(text), std::string::npos) << text << ": " << message;
+    for (const std::string& text : named)
+      EXPECT_NE(message.find(text), std::string::npos) << text << ": " << message;
   }
 }
 

@@ -191,7 +191,8 @@ class Numbers(InFolder):
             kernel_masks.check(context())
 
     def test_arc_positions_end_at_the_length_of_the_contour(self):
-        _, table = context().gridstep.contour("--shape", "disk:radius=5", "--h", 0.02, "--estimator", "ii,lambda-mst", "--k", 3)
+        disk = ("--shape", "disk:radius=5", "--h", 0.02, "--estimator", "ii,lambda-mst", "--k", 3)
+        _, table = context().gridstep.contour(*disk)
         s = flower_curvature.arc_positions(table, 0.02)
         self.assertTrue(np.all(np.diff(s) > 0))
         self.assertAlmostEqual(s[-1], 2 * np.pi * 5, delta=0.05)
@@ -224,7 +225,8 @@ class Rendering(InFolder):
             self.assertGreater(red, blue + 100)
 
     def test_directions_lie_on_the_surface_in_sight(self):
-        _, surface = context().gridstep.surface("--shape", "cylinder:radius=3,height=8", "--h", 0.5, "--estimator", "ii-covariance", "--radius", 2)
+        cylinder = ("--shape", "cylinder:radius=3,height=8", "--h", 0.5, "--estimator", "ii-covariance", "--radius", 2)
+        _, surface = context().gridstep.surface(*cylinder)
         axes = matplotlib.pyplot.figure().subplots()
         View(towards=(1, -1, 0.3), up=(0, 0, 1)).draw_directions(axes, surface, "dir2", spacing=1)
         segments = np.array(axes.collections[0].get_segments())

@@ -11,6 +11,7 @@
 #include "experiments/core/text.hpp"
 #include "experiments/memory.hpp"
 #include "experiments/program/estimation.hpp"
+#include "experiments/program/say.hpp"
 #include "experiments/program/surfel_output.hpp"
 #include "experiments/record.hpp"
 #include "shapes/analytic/catalogue.hpp"
@@ -139,21 +140,21 @@ void run(const EstimateOptions& options, const Shape<d>& shape) {
     return fmt::print("{}\n", json.dump(2));
   }
   std::FILE* out = output.summary_stream();
-  fmt::print(out, "{} at h = {}{}, {}\n", options.shape, h.value, radius_text(R, h),
-             fmt::join(options.estimators, ", "));
-  fmt::print(out, "surfels {}", scene.surfels.size());
-  if (scene.components > 0) fmt::print(out, ", components {}", scene.components);
-  if (truth.singular > 0) fmt::print(out, ", {} at singular points (left out)", truth.singular);
-  if (truth.far > 0) fmt::print(out, ", {} far from the boundary (left out)", truth.far);
-  fmt::print(out, "; truth residual <= {:.2g} of the size\n", truth.worst_residual);
+  say(out, "{} at h = {}{}, {}\n", options.shape, h.value, radius_text(R, h),
+      fmt::join(options.estimators, ", "));
+  std::string line = fmt::format("surfels {}", scene.surfels.size());
+  if (scene.components > 0) line += fmt::format(", components {}", scene.components);
+  if (truth.singular > 0) line += fmt::format(", {} at singular points (left out)", truth.singular);
+  if (truth.far > 0) line += fmt::format(", {} far from the boundary (left out)", truth.far);
+  say(out, "{}; truth residual <= {:.2g} of the size\n", line, truth.worst_residual);
   for (const Estimation<d>& e : estimations) {
-    if (estimations.size() > 1) fmt::print(out, "{}\n", e.name);
+    if (estimations.size() > 1) say(out, "{}\n", e.name);
     for (const auto& [quantity, norms] : norms_of(e, truths.at(e.variant->position), options))
-      fmt::print(out, "error of {:<9} sup {}  rms {}  mean {}\n", quantity, format_error(norms.sup),
-                 format_error(norms.rms), format_error(norms.mean));
-    print_work(out, e, options, scene.surfels.size());
+      say(out, "error of {:<9} sup {}  rms {}  mean {}\n", quantity, format_error(norms.sup),
+          format_error(norms.rms), format_error(norms.mean));
+    say_text(out, work_text(e, options, scene.surfels.size()));
   }
-  fmt::print(out, "{}\n", memory_report(predicted, std::int64_t(scene.surfels.size())));
+  say(out, "{}\n", memory_report(predicted, std::int64_t(scene.surfels.size())));
 }
 
 }  // namespace

@@ -168,19 +168,21 @@ void add_estimates(SurfelTable& table, const Estimation<d>& e, const std::string
 }
 
 template <int d>
-void print_work(std::FILE* out, const Estimation<d>& e, const EstimateOptions& options, std::size_t surfels) {
+std::string work_text(const Estimation<d>& e, const EstimateOptions& options, std::size_t surfels) {
   const EstimatorWork& work = e.work;
+  std::string text;
   if (e.variant->takes_radius) {
-    fmt::print(out, "{}: {} kernel evaluations, {} cells visited, {} restarts; kernel of {} cells",
-               options.evaluation, work.evaluations, work.cells_visited, work.restarts, work.kernel_size);
+    text = fmt::format("{}: {} kernel evaluations, {} cells visited, {} restarts; kernel of {} cells",
+                       options.evaluation, work.evaluations, work.cells_visited, work.restarts,
+                       work.kernel_size);
     if (!work.mask_sizes.empty()) {
       const auto [least, most] = std::minmax_element(work.mask_sizes.begin(), work.mask_sizes.end());
-      fmt::print(out, ", {} masks that gain (and lose) {} to {}", work.mask_sizes.size(), *least, *most);
+      text += fmt::format(", {} masks that gain (and lose) {} to {}", work.mask_sizes.size(), *least, *most);
     }
-    fmt::print(out, "\n");
+    text += "\n";
   }
-  fmt::print(out, "init {}, evaluation {} ({:.0f} ns a surfel)\n", format_seconds(e.seconds_init),
-             format_seconds(e.seconds_eval), 1e9 * e.seconds_eval / double(surfels));
+  return text + fmt::format("init {}, evaluation {} ({:.0f} ns a surfel)\n", format_seconds(e.seconds_init),
+                            format_seconds(e.seconds_eval), 1e9 * e.seconds_eval / double(surfels));
 }
 
 nlohmann::ordered_json head_json(GridStep h, const std::optional<EuclideanLength>& R, std::size_t surfels,
@@ -225,7 +227,7 @@ std::string radius_text(const std::optional<EuclideanLength>& R, GridStep h) {
                                     std::span<const std::size_t>);                                           \
   template void add_estimates(SurfelTable&, const Estimation<d>&, const std::string&,                        \
                               const EstimateOptions&);                                                       \
-  template void print_work(std::FILE*, const Estimation<d>&, const EstimateOptions&, std::size_t);           \
+  template std::string work_text(const Estimation<d>&, const EstimateOptions&, std::size_t);                 \
   template nlohmann::ordered_json to_json(const Estimation<d>&, const EstimateOptions&);
 GRIDSTEP_INSTANTIATE(2)
 GRIDSTEP_INSTANTIATE(3)

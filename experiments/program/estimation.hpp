@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdio>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <span>
@@ -70,8 +69,9 @@ template <int d>
 void add_estimates(SurfelTable& table, const Estimation<d>& e, const std::string& prefix,
                    const EstimateOptions& options);
 
+/// Lines on kernel, work and time.
 template <int d>
-void print_work(std::FILE* out, const Estimation<d>& e, const EstimateOptions& options, std::size_t surfels);
+std::string work_text(const Estimation<d>& e, const EstimateOptions& options, std::size_t surfels);
 
 /// For --json, what is there of every input: h, R, and the boundary.
 nlohmann::ordered_json head_json(GridStep h, const std::optional<EuclideanLength>& R, std::size_t surfels,

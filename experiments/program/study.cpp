@@ -14,6 +14,7 @@
 #include "experiments/detail_study.hpp"
 #include "experiments/memory.hpp"
 #include "experiments/program/commands.hpp"
+#include "experiments/program/say.hpp"
 #include "experiments/program/study_options.hpp"
 #include "experiments/report/page.hpp"
 #include "experiments/runner.hpp"
@@ -112,18 +113,19 @@ void run(const StudyOptions& options) {
   }
   for (const std::string& wanted : study.tables)
     for (const auto& [name, table] : tables)
-      if (name == wanted) fmt::print("{}\n", to_text(table));
-  fmt::print("{}: {} records, {} estimates; truth residual <= {:.2g} of the size", study.name, records.size(),
-             surfels, residual);
+      if (name == wanted) say_table(stdout, table);
+  std::string line = fmt::format("{}: {} records, {} estimates; truth residual <= {:.2g} of the size",
+                                 study.name, records.size(), surfels, residual);
   if (singular + far > 0)
-    fmt::print("; left out of the norms: {} at singular points, {} far from the boundary", singular, far);
-  fmt::print("\n{} in the largest digitization\n", memory_report(predicted, most_surfels));
-  fmt::print("written: {}\n", (folder / "records.jsonl").string());
-  fmt::print("written: {}\n", (folder / "summary.json").string());
+    line += fmt::format("; left out of the norms: {} at singular points, {} far from the boundary", singular,
+                        far);
+  say(stdout, "{}\n{} in the largest digitization\n", line, memory_report(predicted, most_surfels));
+  say(stdout, "written: {}\n", (folder / "records.jsonl").string());
+  say(stdout, "written: {}\n", (folder / "summary.json").string());
   if (has_page)
-    fmt::print("written: {}\n", (folder / "report.html").string());
+    say(stdout, "written: {}\n", (folder / "report.html").string());
   else
-    fmt::print("not written: report.html, as this gridstep was built without Node\n");
+    say(stdout, "not written: report.html, as this gridstep was built without Node\n");
 }
 
 }  // namespace

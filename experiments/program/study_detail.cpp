@@ -10,6 +10,7 @@
 #include "experiments/distribution.hpp"
 #include "experiments/memory.hpp"
 #include "experiments/program/estimation.hpp"
+#include "experiments/program/say.hpp"
 #include "experiments/program/study_options.hpp"
 #include "shapes/digital/boundary.hpp"
 #include "shapes/files/surface_file.hpp"
@@ -30,7 +31,8 @@ struct Input {
   DigitalSet<3> set;
 };
 
-void require_memory_for(const DetailStudy& study, const std::string& name, const RealBox<3>& bounds, GridStep h) {
+void require_memory_for(const DetailStudy& study, const std::string& name, const RealBox<3>& bounds,
+                        GridStep h) {
   EstimateOptions options;
   options.estimators = {study.estimator};
   const double most = *std::max_element(study.digital_radii.begin(), study.digital_radii.end());
@@ -63,7 +65,8 @@ bool is_coordinate(const std::string& quantity) {
 
 /// Rows of one quantity stand together, for its radii to be compared.
 Table table_of(const std::vector<ordered_json>& levels) {
-  Table table{"", {{"quantity", Align::left}, {"R/h"}, {"least"}, {"5 %"}, {"median"}, {"95 %"}, {"greatest"}}, {}};
+  Table table{
+      "", {{"quantity", Align::left}, {"R/h"}, {"least"}, {"5 %"}, {"median"}, {"95 %"}, {"greatest"}}, {}};
   for (const auto& [quantity, ignored] : levels.front()["quantities"].items())
     for (const ordered_json& level : levels) {
       std::vector<std::string> row{quantity, fmt::format("{:g}", level["digital_radius"].get<double>())};
@@ -106,7 +109,9 @@ void run_detail_study(const nlohmann::json& json, const StudyOptions& options, c
     for (const char* extension : {".vtp", ".ply"}) {
       const fs::path file = folder / fmt::format("radius-{}{}", cells, extension);
       OutputFile out(file);
-      surface_format(file.string(), 3).write_mesh(table, mesh, [&](std::string_view bytes) { out.write(bytes); });
+      surface_format(file.string(), 3).write_mesh(table, mesh, [&](std::string_view bytes) {
+        out.write(bytes);
+      });
       out.commit();
       level["surfaces"].push_back(file.filename().string());
       written.push_back(file);
@@ -131,10 +136,10 @@ void run_detail_study(const nlohmann::json& json, const StudyOptions& options, c
   if (options.latex) write_whole(folder / "detail.tex", to_latex(table));
 
   if (options.json) return fmt::print("{}\n", summary.dump(1));
-  fmt::print("{}\n", to_text(table));
-  fmt::print("{}: {} at h = {}, {} surfels, components {}, {}\n", study.name, input.name, input.h.value,
-             surface.surfels.size(), surface.components(), study.estimator);
-  for (const fs::path& file : written) fmt::print("written: {}\n", file.string());
+  say_table(stdout, table);
+  say(stdout, "{}: {} at h = {}, {} surfels, components {}, {}\n", study.name, input.name, input.h.value,
+      surface.surfels.size(), surface.components(), study.estimator);
+  for (const fs::path& file : written) say(stdout, "written: {}\n", file.string());
 }
 
 }  // namespace gridstep

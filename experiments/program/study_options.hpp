@@ -23,6 +23,7 @@ struct StudyOptions {
 bool make_folder(const std::filesystem::path& folder);
 
 /// A study of one surface at several radii: experiments/detail_study.hpp.
-void run_detail_study(const nlohmann::json& json, const StudyOptions& options, const std::filesystem::path& folder);
+void run_detail_study(const nlohmann::json& json, const StudyOptions& options,
+                      const std::filesystem::path& folder);
 
 }  // namespace gridstep
