@@ -122,10 +122,10 @@ TEST(SurfaceJson, ArraysAreTheNumbers) {
 }
 
 TEST(SurfaceJson, SurfelsWithoutATruthHaveNone) {
-  auto with_edges = sweep();
-  with_edges["shapes"] = {"cube"};
-  with_edges["schedule"] = {{"values", {0.25}}};
-  const auto records = records_of(with_edges);
+  auto with_apex = sweep();
+  with_apex["shapes"] = {"diabolo"};
+  with_apex["schedule"] = {{"values", {0.3}}};
+  const auto records = records_of(with_apex);
   const Surface surface = remake_surface(records_of_surfaces(records)[0]);
   ASSERT_GT(surface.records[0]->singular, 0);
   std::vector<float> expected(surface.truth.columns[0].begin(), surface.truth.columns[0].end());
