@@ -9,6 +9,7 @@
 #include "experiments/core/json_reader.hpp"
 #include "experiments/core/slope.hpp"
 #include "experiments/core/testing_files.hpp"
+#include "experiments/detail_study.hpp"
 #include "experiments/study.hpp"
 
 namespace gridstep {
@@ -18,9 +19,10 @@ struct Sized {
   std::string name, size, text;
 };
 
-std::vector<Sized> all_sizes() {
+std::vector<Sized> all_sizes(bool of_detail) {
   std::vector<Sized> result;
   for (const StudyEntry& entry : study_catalogue()) {
+    if (DetailStudy::is(nlohmann::json::parse(entry.quick)) != of_detail) continue;
     result.push_back({entry.name, "quick", entry.quick});
     result.push_back({entry.name, "full", entry.full});
   }
@@ -61,12 +63,25 @@ TEST_P(BuiltInStudy, ReadsFromAFileAsBuiltIn) {
   EXPECT_EQ(load_json(file), nlohmann::json::parse(GetParam().text));
 }
 
-INSTANTIATE_TEST_SUITE_P(Catalogue, BuiltInStudy, testing::ValuesIn(all_sizes()), [](const auto& tested) {
+class BuiltInDetailStudy : public testing::TestWithParam<Sized> {};
+
+TEST_P(BuiltInDetailStudy, IsRead) {
+  const DetailStudy study = DetailStudy::read(nlohmann::json::parse(GetParam().text), GetParam().name);
+  EXPECT_EQ(study.name, GetParam().name);
+  EXPECT_FALSE(study.description.empty());
+  EXPECT_TRUE(study.shape.has_value()) << "a volume is the user's";
+  EXPECT_GE(study.digital_radii.size(), 2u);
+}
+
+std::string name_of_size(const testing::TestParamInfo<Sized>& tested) {
   std::string name = tested.param.name + "_" + tested.param.size;
   for (char& c : name)
     if (c == '-') c = '_';
   return name;
-});
+}
+
+INSTANTIATE_TEST_SUITE_P(Catalogue, BuiltInStudy, testing::ValuesIn(all_sizes(false)), name_of_size);
+INSTANTIATE_TEST_SUITE_P(Catalogue, BuiltInDetailStudy, testing::ValuesIn(all_sizes(true)), name_of_size);
 
 TEST(StudyCatalogue, HasUniqueNames) {
   std::set<std::string> names;

@@ -20,10 +20,21 @@ ordered_json setting_json(const Setting& s) {
           {"alpha", s.takes_radius() ? ordered_json(s.alpha) : none}};
 }
 
+ordered_json to_json(const ErrorNorms& norms) {
+  return {{"sup", norms.sup}, {"rms", norms.rms}, {"mean", norms.mean}, {"count", norms.count}};
+}
+
+ordered_json to_json(const EstimatorWork& work) {
+  return {{"evaluations", work.evaluations},
+          {"cells_visited", work.cells_visited},
+          {"restarts", work.restarts},
+          {"kernel_size", work.kernel_size},
+          {"mask_sizes", work.mask_sizes}};
+}
+
 ordered_json to_json(const Record& r) {
   ordered_json errors = ordered_json::object();
-  for (const auto& [quantity, norms] : r.errors)
-    errors[quantity] = {{"sup", norms.sup}, {"rms", norms.rms}, {"mean", norms.mean}, {"count", norms.count}};
+  for (const auto& [quantity, norms] : r.errors) errors[quantity] = to_json(norms);
   ordered_json json = setting_json(r);
   json.update({{"evaluation", r.evaluation.empty() ? ordered_json() : ordered_json(r.evaluation)},
                {"h", r.h},
@@ -36,12 +47,7 @@ ordered_json to_json(const Record& r) {
                {"components", r.components},
                {"truth_residual", r.worst_residual},
                {"errors", errors},
-               {"work",
-                {{"evaluations", r.work.evaluations},
-                 {"cells_visited", r.work.cells_visited},
-                 {"restarts", r.work.restarts},
-                 {"kernel_size", r.work.kernel_size},
-                 {"mask_sizes", r.work.mask_sizes}}},
+               {"work", to_json(r.work)},
                {"seconds",
                 {{"digitize", r.seconds_digitize},
                  {"truth", r.seconds_truth},

@@ -43,6 +43,8 @@ struct Record : Setting {
 
 /// Its fields by name; null for the radius and the centre where there is no radius.
 nlohmann::ordered_json setting_json(const Setting& setting);
+nlohmann::ordered_json to_json(const ErrorNorms& norms);
+nlohmann::ordered_json to_json(const EstimatorWork& work);
 nlohmann::ordered_json to_json(const Record& record);
 /// @throws InputError where a field is missing or of the wrong type.
 Record record_from(const nlohmann::ordered_json& json);

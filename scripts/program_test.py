@@ -312,7 +312,7 @@ class Image(InFolder):
                 self.must_fail(["estimate", "--image", *arguments], *named)
 
 
-class Volume(InFolder):
+class WithVolume(InFolder):
     """A ball of radius 6 and a single voxel, 16 x 15 x 14."""
 
     SIZE = (16, 15, 14)
@@ -335,6 +335,8 @@ class Volume(InFolder):
         result = self.must_work("estimate", "--volume", *arguments, "--csv", "out.csv")
         return result.stdout, list(csv.DictReader(io.StringIO((self.folder / "out.csv").read_text())))
 
+
+class Volume(WithVolume):
     def test_every_component(self):
         text, table = self.estimate(self.ball(), "--radius", "3", "--quantity", "mean")
         self.assertIn("components 2", text)
@@ -478,7 +480,7 @@ class Volume(InFolder):
 
 
 class Estimate(InFolder):
-    FLAT = ("estimate", "--shape", "ellipse:a=6,b=3", "--h", "0.25", "--estimator", "ii", "--k", "2")
+    FLAT = ("estimate", "--shape", "ellipse:a=6,b=3", "--h", "0.25", "--k", "2", "--estimator", "ii")
     SOLID = ("estimate", "--shape", "ellipsoid:a=3,b=4,c=5", "--h", "0.5", "--radius", "1.5")
 
     def rows(self, *arguments):
@@ -618,6 +620,25 @@ class Estimate(InFolder):
             self.assertEqual(result.stdout, (self.folder / "out.csv").read_text(), "nothing but the CSV")
             self.assertIn("surfels", result.stderr)
 
+    def test_json(self):
+        result = self.must_work(*self.FLAT[:-1], "ii,mdca", "--csv", "out.csv", "--json")
+        self.assertEqual(result.stderr, "")
+        told = json.loads(result.stdout)
+        header, *rows = csv.reader(io.StringIO((self.folder / "out.csv").read_text()))
+        self.assertEqual([told["surfels"], told["h"], told["components"]], [len(rows), 0.25, 1])
+        self.assertAlmostEqual(told["digital_radius"], told["radius"] / 0.25)
+        self.assertEqual([e["estimator"] for e in told["estimates"]], ["ii", "mdca"])
+        for estimate in told["estimates"]:
+            name = estimate["estimator"]
+            errors = [abs(float(row[header.index(f"{name}.error")])) for row in rows]
+            self.assertEqual(estimate["errors"]["kappa"]["sup"], max(errors))
+            values = [float(row[header.index(f"{name}.kappa")]) for row in rows]
+            self.assertEqual(estimate["ranges"]["kappa"], [min(values), max(values)])
+            self.assertEqual("work" in estimate, name == "ii", "no kernel, no work")
+        self.assertGreater(told["estimates"][0]["work"]["kernel_size"], 0)
+        for output in ("-", "/dev/stdout"):
+            self.must_fail([*self.FLAT, "--json", "--csv", output], "--json", f"--csv {output}", "standard output")
+
     def test_a_failure_keeps_the_file_of_before(self):
         (self.folder / "out.csv").write_text("precious")
         self.must_fail([*self.FLAT, "--shift", "nan,0", "--csv", "out.csv"], "nan")
@@ -679,6 +700,12 @@ class Study(InFolder):
         self.assertEqual(result.stdout.count("report.html"), 1, "that it is written, or that it is not")
         self.assertIn("100%", result.stderr)
 
+    def test_json(self):
+        self.write_study(STUDY)
+        result = self.must_work("study", "small.json", "--out", "a", "--json")
+        self.assertEqual(json.loads(result.stdout), json.loads((self.folder / "a/summary.json").read_text()))
+        self.assertIn("100%", result.stderr)
+
     def test_the_default_folder_and_the_seed(self):
         self.write_study(STUDY)
         self.must_work("study", "small.json", "--seed", 5, "--threads", 1)
@@ -727,6 +754,73 @@ class Study(InFolder):
         self.must_work("study", "small.json", "--out", "killed", "--resume")
         self.assertEqual(sorted(os.listdir(self.folder / "killed")), self.results())
         self.assertEqual(records_of(self.folder / "killed/records.jsonl")[1], expected)
+
+
+class LevelOfDetail(WithVolume):
+    """One surface at several radii: of the ball, or of a shape."""
+
+    def setUp(self):
+        super().setUp()
+        self.ball()
+        self.study = ("study", "level-of-detail", "--volume", "ball.vol", "--out", "out")
+
+    def test_files_and_table(self):
+        result = self.must_work(*self.study, "--radii", "4,2.5", "--csv", "--latex")
+        surfaces = ["radius-2.5.ply", "radius-2.5.vtp", "radius-4.ply", "radius-4.vtp"]
+        self.assertEqual(sorted(os.listdir(self.folder / "out")), ["detail.csv", "detail.tex", *surfaces, "summary.json"])
+        summary = json.loads((self.folder / "out/summary.json").read_text())
+        detail = summary["detail"]
+        self.assertEqual(summary["study"]["detail"], {"volume": "ball.vol", "digital_radii": [4, 2.5], "estimator": "ii-covariance"})
+        self.assertEqual([level["digital_radius"] for level in detail["levels"]], [4, 2.5])
+        for level in detail["levels"]:
+            # The values are those of gridstep estimate, and so are their quantiles.
+            _, table = self.estimate("ball.vol", "--radius", level["radius"], "--out", "one.ply")
+            self.assertEqual((self.folder / "out" / level["surfaces"][1]).read_bytes(), (self.folder / "one.ply").read_bytes())
+            self.assertEqual(detail["surfels"], len(table))
+            self.assertEqual(list(level["quantities"]), ["mean", "gaussian", "k1", "k2"])
+            for quantity, spread in level["quantities"].items():
+                values = sorted(float(row[quantity]) for row in table)
+                self.assertEqual([spread["quantiles"][0], spread["quantiles"][-1]], [values[0], values[-1]])
+                self.assertAlmostEqual(spread["mean"], sum(values) / len(values), places=12)
+                middle = (len(values) - 1) / 2
+                median = (values[math.floor(middle)] + values[math.ceil(middle)]) / 2
+                self.assertAlmostEqual(spread["quantiles"][spread["probabilities"].index(0.5)], median, places=14)
+        with open(self.folder / "out/detail.csv", newline="") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual([(r["quantity"], r["R/h"]) for r in rows][:3], [("mean", "4"), ("mean", "2.5"), ("gaussian", "4")])
+        self.assertIn("written: out/radius-2.5.vtp", result.stdout)
+        again = self.must_work(*self.study, "--radii", "4,2.5", "--json").stdout
+        self.assertEqual(json.loads(again), json.loads((self.folder / "out/summary.json").read_text()))
+
+    def test_a_file_and_a_shape(self):
+        path = self.write_study({"name": "mine", "detail": {"shape": "sphere:radius=3", "h": 0.5, "digital_radii": [3]}})
+        self.must_work("study", path, "--out", "out")
+        summary = json.loads((self.folder / "out/summary.json").read_text())
+        self.assertEqual(summary["detail"]["levels"][0]["radius"], 1.5)
+        self.must_work("study", path, "--volume", "ball.vol", "--threshold", "1,1", "--out", "out")
+        summary = json.loads((self.folder / "out/summary.json").read_text())
+        self.assertEqual(summary["study"]["detail"], {"volume": "ball.vol", "threshold": [1, 1], "digital_radii": [3]})
+
+    def test_wrong_input(self):
+        grey = self.file(self.header("Version: 2\n").encode() + bytes(i % 200 for i in range(16 * 15 * 14)), "grey.vol")
+        small = self.write_study(STUDY)
+        for arguments, named in [
+            (["level-of-detail", "--volume", "none.vol"], ["none.vol", "not found"]),
+            (["level-of-detail", "--volume", grey], [grey, "--threshold"]),
+            (["level-of-detail", "--volume", "ball.vol", "--threshold", "9,3"], ["threshold = [9.0,3.0]"]),
+            (["level-of-detail", "--volume", "ball.vol", "--threshold", "9,12"], ["ball.vol", "9", "12"]),
+            (["level-of-detail", "--volume", "ball.vol", "--radii", "7,7"], ["digital_radii = [7.0,7.0]"]),
+            (["level-of-detail", "--volume", "ball.vol", "--radii", "0.5"], ["digital_radii = [0.5]"]),
+            (["level-of-detail", "--volume", "ball.vol", "--radii", "7,x"], ["--radii", "x"]),
+            (["level-of-detail", "--volume", "ball.vol", "--radii", "1e9"], ["ball.vol", "memory"]),
+            (["level-of-detail", "--threshold", "1,2"], ["level-of-detail", "threshold"]),
+            (["level-of-detail", "--seed", "3"], ["level-of-detail", "seed"]),
+            (["level-of-detail", "--resume"], ["--resume"]),
+            (["noise", "--volume", "ball.vol"], ["--volume", "noise"]),
+            ([small, "--radii", "3"], ["--radii", "small.json"]),
+        ]:
+            with self.subTest(arguments=arguments):
+                self.must_fail(["study", *arguments, "--out", "out"], *named)
 
 
 class Report(InFolder):

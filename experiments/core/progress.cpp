@@ -1,37 +1,18 @@
 #include "experiments/core/progress.hpp"
 
 #include <fmt/format.h>
-#include <sys/ioctl.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
+#include "experiments/core/terminal.hpp"
 #include "experiments/core/text.hpp"
 #include "shapes/base/contracts.hpp"
 
 namespace gridstep {
 
-namespace {
-
-/// A dumb terminal (an editor's window, a log) cannot return to the start of the line.
-bool is_terminal(std::FILE* stream) {
-  const char* kind = std::getenv("TERM");
-  return ::isatty(::fileno(stream)) == 1 && !(kind && std::string_view(kind) == "dumb");
-}
-
-/// Asked at every drawing, because windows are resized.
-std::size_t terminal_width(std::FILE* stream) {
-  winsize size{};
-  const bool known = ::ioctl(::fileno(stream), TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
-  return known ? size.ws_col : 80;
-}
-
-}  // namespace
-
 Progress::Progress(double total, std::FILE* stream)
-    : stream_(stream), terminal_(is_terminal(stream)), total_(total), start_(Clock::now()), last_(start_) {
+    : stream_(stream), terminal_(can_redraw(stream)), total_(total), start_(Clock::now()), last_(start_) {
   expects(total > 0 && std::isfinite(total), "a positive, finite amount of work");
 }
 
@@ -78,8 +59,7 @@ std::string Progress::status(double elapsed, std::string_view what, std::size_t 
 }
 
 void Progress::draw(double elapsed, std::string_view what) {
-  // A line that fills the last column would wrap on some terminals.
-  const std::size_t width = terminal_width(stream_) - 1;
+  const std::size_t width = line_width(stream_).value_or(79);
   const std::string text = status(elapsed, what, width >= 60 ? 20 : 0);
   const std::string_view shown = cut_to_width(text, width);
   const std::size_t shown_width = display_width(shown);

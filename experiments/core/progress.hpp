@@ -9,7 +9,7 @@
 
 namespace gridstep {
 
-/// Tells a person how far a long run is. On a terminal, one line that is redrawn at most ten times a second
+/// Tells a person how far a long run is. Where a line can be redrawn (terminal.hpp), one that is, at most ten times a second,
 /// and fits the width; elsewhere plain lines, one whenever 10 s or another 10 % have passed. Never any
 /// colour.
 class Progress {

@@ -114,5 +114,14 @@ TEST(Progress, WritesPlainLinesToADumbTerminal) {
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 10);
 }
 
+TEST(Progress, WritesPlainLinesWhereColoursAreUnwanted) {
+  ::setenv("TERM", "xterm", 1);
+  ::setenv("NO_COLOR", "1", 1);
+  const std::string text = on_terminal(80, "x");
+  ::unsetenv("NO_COLOR");
+  if (text.empty()) GTEST_SKIP() << "no pseudo-terminals here";
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 10);
+}
+
 }  // namespace
 }  // namespace gridstep

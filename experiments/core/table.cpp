@@ -1,6 +1,7 @@
 #include "experiments/core/table.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <string_view>
 #include <utility>
 
@@ -83,9 +84,24 @@ std::string join(const std::vector<std::string>& cells, std::string_view separat
   return line.append(end);
 }
 
+/// For a narrow terminal.
+std::string blocks(const Table& table) {
+  std::size_t title_width = 0;
+  for (const Column& column : table.columns) title_width = std::max(title_width, display_width(column.title));
+  std::string text = table.title.empty() ? "" : table.title + "\n";
+  for (const std::vector<std::string>& row : table.rows) {
+    if (!text.empty()) text += "\n";
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const std::string& title = table.columns[i].title;
+      text += title + std::string(title_width - display_width(title) + 2, ' ') + row[i] + "\n";
+    }
+  }
+  return text;
+}
+
 }  // namespace
 
-std::string to_text(const Table& table) {
+std::string to_text(const Table& table, std::size_t width) {
   check(table);
   std::vector<std::size_t> widths;
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
@@ -93,6 +109,8 @@ std::string to_text(const Table& table) {
     for (const std::vector<std::string>& row : table.rows)
       widths[i] = std::max(widths[i], display_width(row[i]));
   }
+  const std::size_t gaps = 2 * (std::max<std::size_t>(1, widths.size()) - 1);
+  if (std::accumulate(widths.begin(), widths.end(), gaps) > width) return blocks(table);
   const auto line = [&](const std::vector<std::string>& cells) {
     std::string result = join(cells, "  ", "", [&](const std::string& cell, std::size_t i) {
       const std::string padding(widths[i] - display_width(cell), ' ');
@@ -102,7 +120,7 @@ std::string to_text(const Table& table) {
     return result + "\n";
   };
   std::vector<std::string> rules;
-  for (const std::size_t width : widths) rules.emplace_back(width, '-');
+  for (const std::size_t dashes : widths) rules.emplace_back(dashes, '-');
 
   std::string text = table.title.empty() ? "" : table.title + "\n";
   text += line(titles(table)) + line(rules);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -20,8 +22,9 @@ struct Table {
   std::vector<std::vector<std::string>> rows;
 };
 
-/// For a terminal: aligned, UTF-8, title and rule above.
-std::string to_text(const Table& table);
+/// For a person: aligned, UTF-8, title and rule above. A table that is wider than `width` becomes one block a row, with
+/// a line a cell.
+std::string to_text(const Table& table, std::size_t width = std::numeric_limits<std::size_t>::max());
 
 /// A line of column titles, then the rows, quoted as in RFC 4180 but with "\n" at the ends of lines. No table
 /// title.

@@ -47,5 +47,11 @@ TEST(Table, RefusesARowOfAnotherLength) {
   EXPECT_THROW(to_latex(bad), ContractViolation);
 }
 
+TEST(Table, TooWideForTheTerminalBecomesBlocks) {
+  const Table table{"Slopes", {{"shape", Align::left}, {"κ"}}, {{"ellipse", "0.35"}, {"flower", "0.25"}}};
+  EXPECT_EQ(to_text(table, 13), to_text(table));
+  EXPECT_EQ(to_text(table, 12), "Slopes\n\nshape  ellipse\nκ      0.35\n\nshape  flower\nκ      0.25\n");
+}
+
 }  // namespace
 }  // namespace gridstep

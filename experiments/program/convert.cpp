@@ -4,6 +4,7 @@
 
 #include "experiments/core/output_file.hpp"
 #include "experiments/program/commands.hpp"
+#include "experiments/program/say.hpp"
 #include "experiments/program/volume_options.hpp"
 #include "shapes/files/volume_file.hpp"
 
@@ -25,9 +26,9 @@ void run(const Options& options) {
   OutputFile file(options.out);
   format.write(volume, [&](std::string_view bytes) { file.write(bytes); });
   file.commit();
-  fmt::print("{}: {} x {} x {} voxels of {}, spacing {}\n", options.in.path, volume.extent[0],
-             volume.extent[1], volume.extent[2], name_of(volume.type), volume.spacing);
-  fmt::print("written: {}\n", options.out);
+  say(stdout, "{}: {} x {} x {} voxels of {}, spacing {}\n", options.in.path, volume.extent[0],
+      volume.extent[1], volume.extent[2], name_of(volume.type), volume.spacing);
+  say(stdout, "written: {}\n", options.out);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "experiments/program/commands.hpp"
 #include "experiments/program/estimate_options.hpp"
+#include "experiments/program/surfel_output.hpp"
 #include "shapes/base/contracts.hpp"
 
 namespace gridstep {
@@ -67,6 +68,7 @@ void add_estimate_command(CLI::App& program) {
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command->add_flag("--raw", options->raw, "In the files, also the sums that the estimates come from");
+  command->add_flag("--json", options->json, "What is printed, as JSON, for other programs");
   command->add_option("--threads", options->threads, "Number of threads (default: all)")
       ->check(CLI::Range(1, 4096));
   command->footer(
@@ -105,6 +107,8 @@ void add_estimate_command(CLI::App& program) {
       limit.emplace(tbb::global_control::max_allowed_parallelism, std::size_t(options->threads));
     const VolumeOptions& input = options->volume;
     if (!input.size.empty() && input.path.empty()) throw InputError("--size is for --volume");
+    if (options->json && is_standard_output(options->csv))
+      throw InputError(fmt::format("--json and --csv {}: both write to standard output", options->csv));
     if (!input.path.empty()) return estimate_on_volume(*options);
     if (!options->image.empty()) return estimate_on_image(*options);
     if (options->shape.empty()) throw InputError("one of --shape, --image and --volume is needed");

@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "experiments/program/estimation.hpp"
+#include "experiments/program/say.hpp"
 #include "experiments/program/surfel_output.hpp"
 #include "shapes/digital/boundary.hpp"
 #include "shapes/files/image_file.hpp"
@@ -42,25 +44,31 @@ void estimate_on_image(EstimateOptions options) {
     output.write<2>(table, contours.surfels, h);
   }
 
+  if (options.json) {
+    nlohmann::ordered_json json{{"image", options.image},
+                                {"extent", {image.width, image.height}},
+                                {"foreground", {range.low, range.high}},
+                                {"pixels", set.size()}};
+    json.update(head_json(h, R, contours.surfels.size(), contours.components()));
+    for (const Estimation<2>& e : estimations) json["estimates"].push_back(to_json(e, options));
+    return fmt::print("{}\n", json.dump(2));
+  }
   std::FILE* out = output.summary_stream();
-  fmt::print(out, "{}: {} x {} pixels, {} in [{}, {}], h = {}{}\n", options.image, image.width, image.height,
-             set.size(), range.low, range.high, h.value, radius_text(R, h));
+  say(out, "{}: {} x {} pixels, {} in [{}, {}], h = {}{}\n", options.image, image.width, image.height,
+      set.size(), range.low, range.high, h.value, radius_text(R, h));
   for (std::size_t c = 0; c < contours.components(); ++c) {
-    fmt::print(out, "contour {}: {} linels\n", c, begin[c + 1] - begin[c]);
+    say(out, "contour {}: {} linels\n", c, begin[c + 1] - begin[c]);
     for (const Estimation<2>& e : estimations)
       for (std::size_t q = 0; q < e.estimates.quantities.size(); ++q) {
         if (!wanted(options, e.estimates.quantities[q])) continue;
         const auto first = e.estimates.columns[q].begin();
         const auto [least, most] =
             std::minmax_element(first + std::ptrdiff_t(begin[c]), first + std::ptrdiff_t(begin[c + 1]));
-        fmt::print(out, "  {:<18} {:<10} from {:.4g} to {:.4g}\n", e.name, e.estimates.quantities[q], *least,
-                   *most);
+        say(out, "  {:<18} {:<10} from {:.4g} to {:.4g}\n", e.name, e.estimates.quantities[q], *least, *most);
       }
   }
-  for (const Estimation<2>& e : estimations) {
-    fmt::print(out, "{}: ", e.name);
-    print_work(out, e, options, contours.surfels.size());
-  }
+  for (const Estimation<2>& e : estimations)
+    say(out, "{}: {}", e.name, work_text(e, options, contours.surfels.size()));
 }
 
 }  // namespace gridstep

@@ -19,7 +19,7 @@ struct EstimateOptions {
   std::vector<double> shift;
   std::uint64_t seed = 1;
   int threads = 0;
-  bool raw = false, has_radius = false, has_k = false;
+  bool raw = false, json = false, has_radius = false, has_k = false;
 };
 
 void estimate_on_shape(const EstimateOptions& options);

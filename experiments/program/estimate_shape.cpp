@@ -4,13 +4,16 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <nlohmann/json.hpp>
 
 #include "experiments/compared.hpp"
 #include "experiments/core/norms.hpp"
 #include "experiments/core/text.hpp"
 #include "experiments/memory.hpp"
 #include "experiments/program/estimation.hpp"
+#include "experiments/program/say.hpp"
 #include "experiments/program/surfel_output.hpp"
+#include "experiments/record.hpp"
 #include "shapes/analytic/catalogue.hpp"
 #include "shapes/scene.hpp"
 
@@ -70,6 +73,18 @@ void add_truth(SurfelTable& table, const Estimation<d>& e, const std::string& pr
   }
 }
 
+/// The errors of what --quantity wants, by quantity, where the truth is known anywhere.
+template <int d>
+std::vector<std::pair<std::string, ErrorNorms>> norms_of(const Estimation<d>& e, const Truth& truth,
+                                                         const EstimateOptions& options) {
+  std::vector<std::pair<std::string, ErrorNorms>> result;
+  for (const Compared& compared : compared_and_wanted(e, options)) {
+    const std::vector<double> errors = known_only(errors_of(compared, e.estimates, truth), truth);
+    if (!errors.empty()) result.emplace_back(compared.name, error_norms(errors));
+  }
+  return result;
+}
+
 template <int d>
 void run(const EstimateOptions& options, const Shape<d>& shape) {
   const GridStep h{checked("--h", options.h)};
@@ -111,28 +126,35 @@ void run(const EstimateOptions& options, const Shape<d>& shape) {
     output.write<d>(table, scene.surfels, h);
   }
 
-  std::FILE* out = output.summary_stream();
-  fmt::print(out, "{} at h = {}{}, {}\n", options.shape, h.value, radius_text(R, h),
-             fmt::join(options.estimators, ", "));
-  fmt::print(out, "surfels {}", scene.surfels.size());
-  if (scene.components > 0) fmt::print(out, ", components {}", scene.components);
   const Truth& truth = truths.begin()->second;
-  if (truth.singular > 0) fmt::print(out, ", {} at singular points (left out)", truth.singular);
-  if (truth.far > 0) fmt::print(out, ", {} far from the boundary (left out)", truth.far);
-  fmt::print(out, "; truth residual <= {:.2g} of the size\n", truth.worst_residual);
-  for (const Estimation<d>& e : estimations) {
-    if (estimations.size() > 1) fmt::print(out, "{}\n", e.name);
-    const Truth& exact = truths.at(e.variant->position);
-    for (const Compared& compared : compared_and_wanted(e, options)) {
-      const std::vector<double> errors = known_only(errors_of(compared, e.estimates, exact), exact);
-      if (errors.empty()) continue;
-      const ErrorNorms norms = error_norms(errors);
-      fmt::print(out, "error of {:<9} sup {}  rms {}  mean {}\n", compared.name, format_error(norms.sup),
-                 format_error(norms.rms), format_error(norms.mean));
+  if (options.json) {
+    nlohmann::ordered_json json{{"shape", options.shape}};
+    json.update(head_json(h, R, scene.surfels.size(), scene.components));
+    json.update({{"singular", truth.singular}, {"far", truth.far}, {"truth_residual", truth.worst_residual}});
+    for (const Estimation<d>& e : estimations) {
+      nlohmann::ordered_json estimate = to_json(e, options);
+      for (const auto& [quantity, norms] : norms_of(e, truths.at(e.variant->position), options))
+        estimate["errors"][quantity] = to_json(norms);
+      json["estimates"].push_back(std::move(estimate));
     }
-    print_work(out, e, options, scene.surfels.size());
+    return fmt::print("{}\n", json.dump(2));
   }
-  fmt::print(out, "{}\n", memory_report(predicted, std::int64_t(scene.surfels.size())));
+  std::FILE* out = output.summary_stream();
+  say(out, "{} at h = {}{}, {}\n", options.shape, h.value, radius_text(R, h),
+      fmt::join(options.estimators, ", "));
+  std::string line = fmt::format("surfels {}", scene.surfels.size());
+  if (scene.components > 0) line += fmt::format(", components {}", scene.components);
+  if (truth.singular > 0) line += fmt::format(", {} at singular points (left out)", truth.singular);
+  if (truth.far > 0) line += fmt::format(", {} far from the boundary (left out)", truth.far);
+  say(out, "{}; truth residual <= {:.2g} of the size\n", line, truth.worst_residual);
+  for (const Estimation<d>& e : estimations) {
+    if (estimations.size() > 1) say(out, "{}\n", e.name);
+    for (const auto& [quantity, norms] : norms_of(e, truths.at(e.variant->position), options))
+      say(out, "error of {:<9} sup {}  rms {}  mean {}\n", quantity, format_error(norms.sup),
+          format_error(norms.rms), format_error(norms.mean));
+    say_text(out, work_text(e, options, scene.surfels.size()));
+  }
+  say(out, "{}\n", memory_report(predicted, std::int64_t(scene.surfels.size())));
 }
 
 }  // namespace

@@ -1,9 +1,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "experiments/memory.hpp"
 #include "experiments/program/estimation.hpp"
+#include "experiments/program/say.hpp"
 #include "experiments/program/surfel_output.hpp"
 #include "shapes/digital/boundary.hpp"
 
@@ -40,22 +42,32 @@ void estimate_on_volume(EstimateOptions options) {
     output.write<3>(table, surface.surfels, h);
   }
 
+  if (options.json) {
+    nlohmann::ordered_json json{{"volume", options.volume.path},
+                                {"extent", {volume.extent[0], volume.extent[1], volume.extent[2]}},
+                                {"type", name_of(volume.type)},
+                                {"foreground", {range->low, range->high}},
+                                {"voxels", set.size()}};
+    json.update(head_json(h, R, surface.surfels.size(), surface.components()));
+    for (const Estimation<3>& e : estimations) json["estimates"].push_back(to_json(e, options));
+    return fmt::print("{}\n", json.dump(2));
+  }
   std::FILE* out = output.summary_stream();
-  fmt::print(out, "{}: {} x {} x {} voxels of {}, {} in [{}, {}], h = {}{}, {}\n", options.volume.path,
-             volume.extent[0], volume.extent[1], volume.extent[2], name_of(volume.type), set.size(),
-             range->low, range->high, h.value, radius_text(R, h), fmt::join(options.estimators, ", "));
-  fmt::print(out, "surfels {}, components {}\n", surface.surfels.size(), surface.components());
+  say(out, "{}: {} x {} x {} voxels of {}, {} in [{}, {}], h = {}{}, {}\n", options.volume.path,
+      volume.extent[0], volume.extent[1], volume.extent[2], name_of(volume.type), set.size(), range->low,
+      range->high, h.value, radius_text(R, h), fmt::join(options.estimators, ", "));
+  say(out, "surfels {}, components {}\n", surface.surfels.size(), surface.components());
   for (const Estimation<3>& e : estimations) {
-    if (estimations.size() > 1) fmt::print(out, "{}\n", e.name);
+    if (estimations.size() > 1) say(out, "{}\n", e.name);
     for (std::size_t q = 0; q < e.estimates.quantities.size(); ++q) {
       if (!wanted(options, e.estimates.quantities[q])) continue;
       const auto [least, most] =
           std::minmax_element(e.estimates.columns[q].begin(), e.estimates.columns[q].end());
-      fmt::print(out, "{:<10} from {:.4g} to {:.4g}\n", e.estimates.quantities[q], *least, *most);
+      say(out, "{:<10} from {:.4g} to {:.4g}\n", e.estimates.quantities[q], *least, *most);
     }
-    print_work(out, e, options, surface.surfels.size());
+    say_text(out, work_text(e, options, surface.surfels.size()));
   }
-  fmt::print(out, "{}\n", memory_report(predicted, std::int64_t(surface.surfels.size())));
+  say(out, "{}\n", memory_report(predicted, std::int64_t(surface.surfels.size())));
 }
 
 }  // namespace gridstep

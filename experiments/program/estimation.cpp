@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "estimators/contour/digital_contour.hpp"
 #include "experiments/core/text.hpp"
 #include "experiments/memory.hpp"
+#include "experiments/record.hpp"
 
 namespace gridstep {
 
@@ -168,19 +170,48 @@ void add_estimates(SurfelTable& table, const Estimation<d>& e, const std::string
 }
 
 template <int d>
-void print_work(std::FILE* out, const Estimation<d>& e, const EstimateOptions& options, std::size_t surfels) {
+std::string work_text(const Estimation<d>& e, const EstimateOptions& options, std::size_t surfels) {
   const EstimatorWork& work = e.work;
+  std::string text;
   if (e.variant->takes_radius) {
-    fmt::print(out, "{}: {} kernel evaluations, {} cells visited, {} restarts; kernel of {} cells",
-               options.evaluation, work.evaluations, work.cells_visited, work.restarts, work.kernel_size);
+    text = fmt::format("{}: {} kernel evaluations, {} cells visited, {} restarts; kernel of {} cells",
+                       options.evaluation, work.evaluations, work.cells_visited, work.restarts,
+                       work.kernel_size);
     if (!work.mask_sizes.empty()) {
       const auto [least, most] = std::minmax_element(work.mask_sizes.begin(), work.mask_sizes.end());
-      fmt::print(out, ", {} masks that gain (and lose) {} to {}", work.mask_sizes.size(), *least, *most);
+      text += fmt::format(", {} masks that gain (and lose) {} to {}", work.mask_sizes.size(), *least, *most);
     }
-    fmt::print(out, "\n");
+    text += "\n";
   }
-  fmt::print(out, "init {}, evaluation {} ({:.0f} ns a surfel)\n", format_seconds(e.seconds_init),
-             format_seconds(e.seconds_eval), 1e9 * e.seconds_eval / double(surfels));
+  return text + fmt::format("init {}, evaluation {} ({:.0f} ns a surfel)\n", format_seconds(e.seconds_init),
+                            format_seconds(e.seconds_eval), 1e9 * e.seconds_eval / double(surfels));
+}
+
+nlohmann::ordered_json head_json(GridStep h, const std::optional<EuclideanLength>& R, std::size_t surfels,
+                                 std::size_t components) {
+  nlohmann::ordered_json json{{"h", h.value}};
+  if (R) json.update({{"radius", R->value}, {"digital_radius", to_digital(*R, h).value}});
+  json["surfels"] = surfels;
+  if (components > 0) json["components"] = components;  // else they were not counted
+  return json;
+}
+
+template <int d>
+nlohmann::ordered_json to_json(const Estimation<d>& e, const EstimateOptions& options) {
+  nlohmann::ordered_json ranges = nlohmann::ordered_json::object();
+  for (std::size_t q = 0; q < e.estimates.quantities.size(); ++q) {
+    const std::vector<double>& column = e.estimates.columns[q];
+    if (!wanted(options, e.estimates.quantities[q]) || column.empty()) continue;
+    const auto [least, most] = std::minmax_element(column.begin(), column.end());
+    ranges[e.estimates.quantities[q]] = {*least, *most};
+  }
+  nlohmann::ordered_json json{{"estimator", e.name}, {"ranges", ranges}};
+  if (e.variant->takes_radius) {
+    json["evaluation"] = options.evaluation;
+    json["work"] = to_json(e.work);
+  }
+  json["seconds"] = {{"init", e.seconds_init}, {"eval", e.seconds_eval}};
+  return json;
 }
 
 std::string radius_text(const std::optional<EuclideanLength>& R, GridStep h) {
@@ -198,7 +229,8 @@ std::string radius_text(const std::optional<EuclideanLength>& R, GridStep h) {
                                     std::span<const std::size_t>);                                           \
   template void add_estimates(SurfelTable&, const Estimation<d>&, const std::string&,                        \
                               const EstimateOptions&);                                                       \
-  template void print_work(std::FILE*, const Estimation<d>&, const EstimateOptions&, std::size_t);
+  template std::string work_text(const Estimation<d>&, const EstimateOptions&, std::size_t);                 \
+  template nlohmann::ordered_json to_json(const Estimation<d>&, const EstimateOptions&);
 GRIDSTEP_INSTANTIATE(2)
 GRIDSTEP_INSTANTIATE(3)
 #undef GRIDSTEP_INSTANTIATE

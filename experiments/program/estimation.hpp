@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cstdio>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <span>
 #include <string>
@@ -69,8 +69,17 @@ template <int d>
 void add_estimates(SurfelTable& table, const Estimation<d>& e, const std::string& prefix,
                    const EstimateOptions& options);
 
+/// Lines on kernel, work and time.
 template <int d>
-void print_work(std::FILE* out, const Estimation<d>& e, const EstimateOptions& options, std::size_t surfels);
+std::string work_text(const Estimation<d>& e, const EstimateOptions& options, std::size_t surfels);
+
+/// For --json, what is there of every input: h, R, and the boundary.
+nlohmann::ordered_json head_json(GridStep h, const std::optional<EuclideanLength>& R, std::size_t surfels,
+                                 std::size_t components);
+
+/// For --json, an estimator: the ranges of the quantities that --quantity wants, work and seconds.
+template <int d>
+nlohmann::ordered_json to_json(const Estimation<d>& e, const EstimateOptions& options);
 
 /// ", R = 5 (R/h = 10)", or nothing.
 std::string radius_text(const std::optional<EuclideanLength>& R, GridStep h);

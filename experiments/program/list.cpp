@@ -6,6 +6,7 @@
 #include "estimators/catalogue.hpp"
 #include "experiments/catalogue.hpp"
 #include "experiments/program/commands.hpp"
+#include "experiments/program/say.hpp"
 #include "shapes/analytic/catalogue.hpp"
 
 namespace gridstep {
@@ -93,37 +94,37 @@ ordered_json studies_json() {
 }
 
 void print_shapes() {
-  fmt::print("Shapes (name:parameter=default,...; every shape also takes a centre cx, cy and, in 3D, cz)\n");
+  say(stdout, "Shapes (name:parameter=default,...; every shape also takes a centre cx, cy and, in 3D, cz)\n");
   for (const ShapeEntry& entry : shape_catalogue()) {
-    fmt::print("  {:<13} {}D  {}\n", entry.name, entry.dimension(), entry.summary);
+    say(stdout, "  {:<13} {}D  {}\n", entry.name, entry.dimension(), entry.summary);
     for (const Parameter& p : entry.parameters) {
       if (p.name == "cx" || p.name == "cy" || p.name == "cz") continue;
       const std::string value =
           std::visit([](const auto& v) { return fmt::format("{}", v); }, p.default_value);
-      fmt::print("  {:<17}  {} = {}  ({}) {}\n", "", p.name, value, p.unit, p.meaning);
+      say(stdout, "  {:<17}  {} = {}  ({}) {}\n", "", p.name, value, p.unit, p.meaning);
     }
   }
 }
 
 void print_estimators() {
-  fmt::print("Estimators\n");
+  say(stdout, "Estimators\n");
   for (const EstimatorEntry& entry : estimator_catalogue()) {
-    fmt::print("  {:<18} {}\n", entry.name, entry.summary);
+    say(stdout, "  {:<18} {}\n", entry.name, entry.summary);
     const auto print_quantities = [](const char* dimension, const auto& variant) {
       if (!variant) return;
       std::string names;
       for (const Quantity& quantity : variant->quantities) names += " " + quantity.name;
-      fmt::print("  {:<18}   {}:{}\n", "", dimension, names);
+      say(stdout, "  {:<18}   {}:{}\n", "", dimension, names);
     };
     print_quantities("2D", entry.in_2d);
     print_quantities("3D", entry.in_3d);
-    fmt::print("  {:<18}   {}, values at the {}\n", "", radius_text(entry), values_at(entry));
+    say(stdout, "  {:<18}   {}, values at the {}\n", "", radius_text(entry), values_at(entry));
   }
 }
 
 void print_studies() {
-  fmt::print("Studies (their JSON: gridstep list studies --json)\n");
-  for (const StudyEntry& entry : study_catalogue()) fmt::print("  {:<18} {}\n", entry.name, entry.summary);
+  say(stdout, "Studies (their JSON: gridstep list studies --json)\n");
+  for (const StudyEntry& entry : study_catalogue()) say(stdout, "  {:<18} {}\n", entry.name, entry.summary);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <exception>
@@ -7,7 +8,10 @@
 #include <system_error>
 
 #include "experiments/core/build_info.hpp"
+#include "experiments/core/output_file.hpp"
 #include "experiments/program/commands.hpp"
+#include "experiments/program/interface.hpp"
+#include "experiments/program/say.hpp"
 
 namespace {
 
@@ -27,7 +31,8 @@ int main(int argc, char** argv) {
                                                     gridstep::build_info().dirty ? ", modified" : ""));
   // None is told below: by itself, the check would come before that of an unknown command, and hide its name.
   program.require_subcommand(0, 1);
-  program.get_formatter()->column_width(34);
+  program.get_formatter()->column_width(
+      std::min<std::size_t>(34, gridstep::line_width(stdout).value_or(80) / 3));
   program.footer(
       "Examples:\n"
       "  gridstep list shapes\n"
@@ -41,15 +46,25 @@ int main(int argc, char** argv) {
   gridstep::add_estimate_command(program);
   gridstep::add_convert_command(program);
   gridstep::add_report_command(program);
+  // For the build, which installs what they write (CMakeLists.txt).
+  std::string man, completion;
+  program.add_option("--write-man", man)->group("");
+  program.add_option("--write-completion", completion)->group("");
   try {
     program.parse(argc, argv);
+    if (!man.empty()) gridstep::write_whole(man, gridstep::man_page(program, gridstep::build_info().version));
+    if (!completion.empty()) gridstep::write_whole(completion, gridstep::bash_completion(program));
+    if (!man.empty() || !completion.empty()) return 0;
     if (program.get_subcommands().empty())
       throw CLI::RequiredError("A command: list, study, estimate, convert or report");
     // A full disk shows when the buffer is written at the latest: after all the work, but not unnoticed.
     if (std::fflush(stdout) != 0)
       throw std::system_error(errno, std::generic_category(), "standard output cannot be written");
     return 0;
-  } catch (const CLI::Success& request) {  // --help, --version
+  } catch (const CLI::CallForHelp&) {
+    gridstep::say_text(stdout, program.help());
+    return 0;
+  } catch (const CLI::Success& request) {  // --version
     return program.exit(request);
   } catch (const CLI::ExtrasError& error) {
     const std::vector<std::string> extras = program.remaining();

@@ -4,6 +4,7 @@
 
 #include "experiments/core/output_file.hpp"
 #include "experiments/program/commands.hpp"
+#include "experiments/program/say.hpp"
 #include "experiments/report/page.hpp"
 
 namespace gridstep {
@@ -35,7 +36,7 @@ void add_report_command(CLI::App& program) {
                                                 : "report.html";
     const std::filesystem::path file = options->out.empty() ? in_folder : std::filesystem::path(options->out);
     write_report(options->folders, file);
-    fmt::print("written: {}\n", file.string());
+    say(stdout, "written: {}\n", file.string());
   });
 }
 

@@ -11,8 +11,11 @@
 #include "experiments/core/json_reader.hpp"
 #include "experiments/core/output_file.hpp"
 #include "experiments/core/provenance.hpp"
+#include "experiments/detail_study.hpp"
 #include "experiments/memory.hpp"
 #include "experiments/program/commands.hpp"
+#include "experiments/program/say.hpp"
+#include "experiments/program/study_options.hpp"
 #include "experiments/report/page.hpp"
 #include "experiments/runner.hpp"
 #include "experiments/work_precision.hpp"
@@ -25,15 +28,8 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
-struct Options {
-  std::string study, out;
-  bool quick = false, full = false, resume = false, csv = false, latex = false;
-  int threads = 0;
-  std::optional<std::uint64_t> seed;
-};
-
 /// The study's JSON, and a name for its folder.
-std::pair<nlohmann::json, std::string> load(const Options& options) {
+std::pair<nlohmann::json, std::string> load(const StudyOptions& options) {
   const bool is_file = fs::is_regular_file(options.study);
   if (is_file && (options.quick || options.full))
     throw InputError("--quick and --full are sizes of built-in studies, not of the file " + options.study);
@@ -43,20 +39,29 @@ std::pair<nlohmann::json, std::string> load(const Options& options) {
           entry.name + (options.full ? "-full" : "-quick")};
 }
 
-/// Whether it is new.
-bool make_folder(const fs::path& folder) {
-  std::error_code error;
-  const bool is_new = fs::create_directories(folder, error);
-  if (error) throw InputError(fmt::format("--out {}: {}", folder.string(), error.message()));
-  return is_new;
+/// --volume, --threshold and --radii in the study's JSON, which then tells all that was done.
+void put_detail_options(nlohmann::json& json, const StudyOptions& options) {
+  if (options.volume.empty() && options.threshold.empty() && options.radii.empty()) return;
+  if (!DetailStudy::is(json) || !json["detail"].is_object())
+    throw InputError("--volume, --threshold and --radii are for level-of-detail, not for " + options.study);
+  nlohmann::json& detail = json["detail"];
+  if (!options.volume.empty()) {
+    detail.erase("shape");
+    detail.erase("h");
+    detail["volume"] = options.volume;
+  }
+  if (!options.threshold.empty()) detail["threshold"] = options.threshold;
+  if (!options.radii.empty()) detail["digital_radii"] = options.radii;
 }
 
-void run(const Options& options) {
+void run(const StudyOptions& options) {
   auto [json, label] = load(options);
   if (options.seed && json.is_object()) json["seed"] = *options.seed;
+  put_detail_options(json, options);
+  const fs::path folder = options.out.empty() ? fs::path("results/raw") / label : fs::path(options.out);
+  if (DetailStudy::is(json)) return run_detail_study(json, options, folder);
   const Study study = Study::read(json, options.study);
 
-  const fs::path folder = options.out.empty() ? fs::path("results/raw") / label : fs::path(options.out);
   const bool is_new = make_folder(folder);
   const fs::path journal = folder / "journal.jsonl";
   std::error_code ignored;
@@ -96,6 +101,7 @@ void run(const Options& options) {
   const bool has_page = !page_template().empty();
   if (has_page) write_report({folder.string()}, folder / "report.html");
 
+  if (options.json) return fmt::print("{}\n", summary.dump(1));
   std::int64_t surfels = 0, most_surfels = 0, singular = 0, far = 0;
   double residual = 0;
   for (const Record& record : records) {
@@ -107,25 +113,33 @@ void run(const Options& options) {
   }
   for (const std::string& wanted : study.tables)
     for (const auto& [name, table] : tables)
-      if (name == wanted) fmt::print("{}\n", to_text(table));
-  fmt::print("{}: {} records, {} estimates; truth residual <= {:.2g} of the size", study.name, records.size(),
-             surfels, residual);
+      if (name == wanted) say_table(stdout, table);
+  std::string line = fmt::format("{}: {} records, {} estimates; truth residual <= {:.2g} of the size",
+                                 study.name, records.size(), surfels, residual);
   if (singular + far > 0)
-    fmt::print("; left out of the norms: {} at singular points, {} far from the boundary", singular, far);
-  fmt::print("\n{} in the largest digitization\n", memory_report(predicted, most_surfels));
-  fmt::print("written: {}\n", (folder / "records.jsonl").string());
-  fmt::print("written: {}\n", (folder / "summary.json").string());
+    line += fmt::format("; left out of the norms: {} at singular points, {} far from the boundary", singular,
+                        far);
+  say(stdout, "{}\n{} in the largest digitization\n", line, memory_report(predicted, most_surfels));
+  say(stdout, "written: {}\n", (folder / "records.jsonl").string());
+  say(stdout, "written: {}\n", (folder / "summary.json").string());
   if (has_page)
-    fmt::print("written: {}\n", (folder / "report.html").string());
+    say(stdout, "written: {}\n", (folder / "report.html").string());
   else
-    fmt::print("not written: report.html, as this gridstep was built without Node\n");
+    say(stdout, "not written: report.html, as this gridstep was built without Node\n");
 }
 
 }  // namespace
 
+bool make_folder(const fs::path& folder) {
+  std::error_code error;
+  const bool is_new = fs::create_directories(folder, error);
+  if (error) throw InputError(fmt::format("--out {}: {}", folder.string(), error.message()));
+  return is_new;
+}
+
 void add_study_command(CLI::App& program) {
   CLI::App* command = program.add_subcommand("study", "Run a study: error curves, slopes and verdicts");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<StudyOptions>();
   command->add_option("study", options->study, "The name of a built-in study, or a JSON file")->required();
   auto* quick = command->add_flag("--quick", options->quick, "A built-in study in its small size (default)");
   command->add_flag("--full", options->full, "A built-in study over the papers' ranges")->excludes(quick);
@@ -137,9 +151,19 @@ void add_study_command(CLI::App& program) {
       ->check(not_negative);
   command->add_flag("--csv", options->csv, "Also write the tables as CSV");
   command->add_flag("--latex", options->latex, "Also write the tables as LaTeX");
+  command->add_option("--volume", options->volume,
+                      "Of level-of-detail: the volume, such as al.vol (.raw: gridstep convert first)");
+  command
+      ->add_option("--threshold", options->threshold, "Of level-of-detail: LOW,HIGH, the volume's foreground")
+      ->delimiter(',')
+      ->expected(1, 2);
+  command->add_option("--radii", options->radii, "Of level-of-detail: R/h, in voxels: 14,7 (default)")
+      ->delimiter(',');
+  command->add_flag("--json", options->json, "Print summary.json instead of tables, for other programs");
   command->footer(
       "Examples:\n"
       "  gridstep study paper-2d\n"
+      "  gridstep study level-of-detail --volume al.vol --radii 14,7 --out al\n"
       "  gridstep study my-study.json --out results/raw/mine --csv --latex\n"
       "What a study file holds: results/README.md; those of the built-in ones: gridstep list studies --json");
   command->callback([options] {

@@ -4,8 +4,12 @@
 
 namespace gridstep {
 
+bool is_standard_output(const std::string& path) {
+  return path == "-" || path == "/dev/stdout";
+}
+
 SurfelOutput::SurfelOutput(const std::string& csv, const std::vector<std::string>& paths, int d) {
-  to_standard_output_ = csv == "-" || csv == "/dev/stdout";
+  to_standard_output_ = is_standard_output(csv);
   // First, since it may be a pipe or a device, where commit() may still fail: then nothing else is left.
   if (!csv.empty()) files_.push_back({&surface_format(".csv", d), csv == "-" ? "/dev/stdout" : csv, nullptr});
   for (const std::string& path : paths) files_.push_back({&surface_format(path, d), path, nullptr});

@@ -9,6 +9,9 @@
 
 namespace gridstep {
 
+/// Whether a path that --csv names is that of standard output.
+bool is_standard_output(const std::string& path);
+
 /// The files that --csv and --out name, opened before anything is computed: what cannot be written is known at once.
 class SurfelOutput {
  public:

@@ -1,11 +1,13 @@
 // Where a surface is drawn: canvas, camera and controls. A frame is drawn when something changed; while it moves, one
-// pixel of the screen is one of the picture, at rest it is drawn finer.
+// pixel of the screen is one of the picture, or several are where frames would come too slowly; at rest it is drawn finer.
 
 import { LinearSRGBColorSpace, PerspectiveCamera, Scene, Spherical, WebGLRenderer } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 
 const restPixels = 2;
 const restAfter = 200; // ms
+const leastPixels = 0.5;
+const slowest = 1 / 24; // s a frame: a little faster than the 20 frames a second that look smooth
 const turnSpeed = 2; // of OrbitControls: a turn in 30 s
 const keys = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
 
@@ -19,6 +21,8 @@ export class Stage {
   #frame = 0;
   #rest = 0;
   #clock = 0;
+  #movingPixels = 1;
+  #pace = 0; // s a frame while it moves, smoothed
 
   /** Throws where there is no WebGL. */
   constructor(place, description) {
@@ -86,6 +90,7 @@ export class Stage {
 
   #draw(now) {
     const seconds = Math.min(0.1, (now - this.#clock) / 1000);
+    if (now - this.#clock < restAfter) this.#keepPace(seconds);
     this.#frame = 0;
     this.#clock = now;
     if (!this.#mesh) return;
@@ -96,8 +101,16 @@ export class Stage {
     else this.#rest = setTimeout(() => this.#setPixels(restPixels), restAfter);
   }
 
+  /** Fewer pixels for as long as frames come too slowly: in software, pixels cost as much as the surface does. */
+  #keepPace(seconds) {
+    this.#pace += 0.2 * (seconds - this.#pace);
+    if (this.#pace < slowest || this.#movingPixels <= leastPixels) return;
+    this.#movingPixels = Math.max(leastPixels, this.#movingPixels * Math.SQRT1_2);
+    this.#pace = 0;
+  }
+
   #moved() {
-    this.#setPixels(1);
+    this.#setPixels(this.#movingPixels);
     this.redraw();
   }
 
