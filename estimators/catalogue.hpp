@@ -31,14 +31,16 @@ struct EstimatorEntry {
     std::vector<Quantity> quantities;
     EstimatorFactory<d> make;
     ValuePosition position = ValuePosition::surfel_centre;
-    bool takes_radius = true;  ///< else the R of Estimator::init() and the options are ignored
+    bool takes_radius = true;   ///< else the R of Estimator::init() and the options are ignored
+    bool takes_options = true;  ///< else the options are ignored: there are no sums over balls
   };
   std::string name;
   std::string summary;
   std::optional<Variant<2>> in_2d;
   std::optional<Variant<3>> in_3d;
+  std::string not_built{};  ///< how to get the estimator, where this build is without it; else empty
 
-  /// @throws InputError where the estimator does not exist in dimension d.
+  /// @throws InputError where the estimator does not exist in dimension d, or not in this build.
   template <int d>
   const Variant<d>& variant() const;
 };

@@ -35,6 +35,11 @@ bool takes_radius(const std::string& estimator, int dimension) {
   return dimension == 2 ? entry.variant<2>().takes_radius : entry.variant<3>().takes_radius;
 }
 
+bool takes_options(const std::string& estimator, int dimension) {
+  const EstimatorEntry& entry = find_estimator(estimator);
+  return dimension == 2 ? entry.variant<2>().takes_options : entry.variant<3>().takes_options;
+}
+
 Sweep read_sweep(JsonReader& reader) {
   std::vector<ShapeSpec> shapes;
   int dimension = 0;
@@ -106,8 +111,10 @@ std::vector<Method> Sweep::methods() const {
   std::vector<Method> result;
   for (std::size_t i = 0; i < std::max<std::size_t>(1, radii.size()); ++i)
     for (const std::string& name : estimators) {
-      if (takes_radius(name, dimension())) {
+      if (takes_options(name, dimension())) {
         for (const Evaluation evaluation : evaluations) result.push_back({name, radii[i], evaluation});
+      } else if (takes_radius(name, dimension())) {
+        result.push_back({name, radii[i], std::nullopt});
       } else if (i == 0) {
         result.push_back({name, std::nullopt, std::nullopt});
       }

@@ -16,7 +16,7 @@ namespace gridstep {
 struct Method {
   std::string estimator;
   std::optional<RadiusRule> radius;      ///< where the estimator takes one
-  std::optional<Evaluation> evaluation;  ///< likewise
+  std::optional<Evaluation> evaluation;  ///< where it takes options
 };
 
 /// Every combination of what it lists, at every h of the schedule, under `shifts` random placements each.

@@ -54,7 +54,7 @@ EstimatorEntry contour_estimator(std::string name, std::string summary, std::vec
     return std::make_unique<ContourEstimator>(names, function);
   };
   variant.position = position;
-  variant.takes_radius = false;
+  variant.takes_radius = variant.takes_options = false;
   return {std::move(name), std::move(summary), std::move(variant), std::nullopt};
 }
 

@@ -98,7 +98,7 @@ EstimatorEntry describe_ii_parameter_free() {
   variant.make = [](const DigitalSet<2>& set, const EstimatorOptions&) {
     return std::make_unique<ParameterFree>(set);
   };
-  variant.takes_radius = false;
+  variant.takes_radius = variant.takes_options = false;
   return {"ii-parameter-free", "integral invariant with a radius from the maximal segments: curvature (2D)",
           std::move(variant), std::nullopt};
 }

@@ -63,7 +63,7 @@ std::vector<std::string> estimators_with_quantity(const EstimateOptions& options
         return entry.in_3d;
     }
     ();
-    if (variant && std::any_of(variant->quantities.begin(), variant->quantities.end(),
+    if (variant && entry.not_built.empty() && std::any_of(variant->quantities.begin(), variant->quantities.end(),
                                [&](const Quantity& q) { return wanted(options, q.name); }))
       names.push_back(entry.name);
   }
@@ -106,7 +106,7 @@ double predicted_memory(const std::vector<Estimation<d>>& estimations, const Rea
   for (const Estimation<d>& e : estimations) {
     const bool moments = d == 3 && e.variant->quantities.size() > 1;
     bytes += surfels * predicted_surfel_memory(moments);
-    if (R && e.variant->takes_radius)
+    if (R && e.variant->takes_options)
       tables = std::max(tables, predicted_table_memory<d>(to_digital(*R, h), moments, evaluation,
                                                           tbb::this_task_arena::max_concurrency()));
   }
@@ -168,7 +168,7 @@ void add_estimates(SurfelTable& table, const Estimation<d>& e, const std::string
 template <int d>
 void print_work(std::FILE* out, const Estimation<d>& e, const EstimateOptions& options, std::size_t surfels) {
   const EstimatorWork& work = e.work;
-  if (e.variant->takes_radius) {
+  if (e.variant->takes_options) {
     fmt::print(out, "{}: {} kernel evaluations, {} cells visited, {} restarts; kernel of {} cells",
                options.evaluation, work.evaluations, work.cells_visited, work.restarts, work.kernel_size);
     if (!work.mask_sizes.empty()) {

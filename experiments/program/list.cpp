@@ -60,7 +60,8 @@ ordered_json estimators_json() {
                       {"quantities_2d", quantities_json(entry.in_2d)},
                       {"quantities_3d", quantities_json(entry.in_3d)},
                       {"takes_radius", takes_radius(entry)},
-                      {"values_at", values_at(entry)}});
+                      {"values_at", values_at(entry)},
+                      {"built", entry.not_built.empty()}});
   return result;
 }
 
@@ -101,6 +102,7 @@ void print_estimators() {
     print_quantities("3D", entry.in_3d);
     fmt::print("  {:<18}   {}, values at the {}\n", "", takes_radius(entry) ? "takes a radius" : "no radius",
                values_at(entry));
+    if (!entry.not_built.empty()) fmt::print("  {:<18}   not in this build: {}\n", "", entry.not_built);
   }
 }
 
