@@ -22,11 +22,10 @@ inline double inclusion(const Cell<3>& cell, const LatticePoint<3>& centre, doub
     farthest += (distance + half) * (distance + half);
     middle += distance * distance;
   }
-  nearest = std::sqrt(std::min(nearest, middle));
-  farthest = std::sqrt(farthest);
-  if (farthest <= radius) return 1;
-  if (nearest >= radius) return 0;
-  return (radius - nearest) / (farthest - nearest);
+  nearest = std::min(nearest, middle);
+  if (farthest <= radius * radius) return 1;
+  if (nearest >= radius * radius) return 0;
+  return (radius - std::sqrt(nearest)) / (std::sqrt(farthest) - std::sqrt(nearest));
 }
 
 /// The square of the distance from a point to a closed cell, in half cells.
