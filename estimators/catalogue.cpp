@@ -13,15 +13,26 @@ namespace gridstep {
 #include "estimators/catalogue.inc"
 #undef GRIDSTEP_ESTIMATOR
 
+namespace {
+
+void require_built(const EstimatorEntry& entry) {
+  if (!entry.not_built.empty())
+    throw InputError(fmt::format("estimator '{}' is not in this build: {}", entry.name, entry.not_built));
+}
+
+}  // namespace
+
 template <>
 const EstimatorEntry::Variant<2>& EstimatorEntry::variant<2>() const {
   if (!in_2d) throw InputError(fmt::format("estimator '{}' has no 2D form", name));
+  require_built(*this);
   return *in_2d;
 }
 
 template <>
 const EstimatorEntry::Variant<3>& EstimatorEntry::variant<3>() const {
   if (!in_3d) throw InputError(fmt::format("estimator '{}' has no 3D form", name));
+  require_built(*this);
   return *in_3d;
 }
 

@@ -31,11 +31,12 @@ struct EstimatorEntry {
     std::vector<Quantity> quantities;
     EstimatorFactory<d> make;
     ValuePosition position = ValuePosition::surfel_centre;
-    bool takes_radius = true;         ///< else the R of Estimator::init() and the options are ignored
+    bool takes_radius = true;         ///< else the R of Estimator::init() is ignored
     double usual_k = d == 2 ? 5 : 3;  ///< of R = k h^(1/3), where nobody asks for another
     /// What there is to choose between in the options; nothing where there are no sums over balls.
     std::vector<Evaluation> evaluations{Evaluation::full, Evaluation::masks, Evaluation::bricks};
     std::vector<KernelCentre> centres{KernelCentre::spels, KernelCentre::surfel};
+    bool takes_options() const { return !evaluations.empty(); }
 
     /// Bytes of tables that it has beside those of sums over balls, by Evaluation::bricks; none: no such tables.
     std::function<double(DigitalLength)> table_memory{};
@@ -49,8 +50,9 @@ struct EstimatorEntry {
   std::string summary;
   std::optional<Variant<2>> in_2d;
   std::optional<Variant<3>> in_3d;
+  std::string not_built{};  ///< how to get the estimator, where this build is without it; else empty
 
-  /// @throws InputError where the estimator does not exist in dimension d.
+  /// @throws InputError where the estimator does not exist in dimension d, or not in this build.
   template <int d>
   const Variant<d>& variant() const;
 };

@@ -49,7 +49,11 @@ std::vector<Row> rows() {
   std::vector<Row> result;
   for (const EstimatorEntry& entry : estimator_catalogue()) {
     if (d == 2 ? !entry.in_2d : !entry.in_3d) continue;
-    if (!entry.variant<d>().takes_radius) continue;
+    if (!entry.not_built.empty() || !entry.variant<d>().takes_radius) continue;
+    if (!entry.variant<d>().takes_options()) {
+      result.push_back({entry.name, {}});
+      continue;
+    }
     for (const Evaluation evaluation : entry.variant<d>().evaluations)
       for (const KernelCentre centre : entry.variant<d>().centres)
         result.push_back({entry.name, {evaluation, centre}});
@@ -240,13 +244,16 @@ void FlipsItsSignOnTheComplement(const Row& row) {
     turned.push_back({surfel.outer(), surfel.axis, std::int8_t(-surfel.sign)});
   const Estimates in = row.eval<d>(set, surfels, R), out = row.eval<d>(outside, turned, R);
   const std::string quantity = d == 2 ? "kappa" : "mean";
-  double mean = 0, defect = 0;
-  for (std::size_t i = 0; i < surfels.size(); ++i) {
-    mean += in[quantity][i] / double(surfels.size());
-    defect += (in[quantity][i] + out[quantity][i]) / double(surfels.size());
+  ASSERT_TRUE(has(in, quantity) || has(in, "normal_x"));
+  if (has(in, quantity)) {
+    double mean = 0, defect = 0;
+    for (std::size_t i = 0; i < surfels.size(); ++i) {
+      mean += in[quantity][i] / double(surfels.size());
+      defect += (in[quantity][i] + out[quantity][i]) / double(surfels.size());
+    }
+    EXPECT_GT(mean, 0.04);
+    EXPECT_LT(std::abs(defect), 0.3 * mean);
   }
-  EXPECT_GT(mean, 0.04);
-  EXPECT_LT(std::abs(defect), 0.3 * mean);
   if (!has(in, "normal_x")) return;
   for (std::size_t i = 0; i < surfels.size(); ++i)
     EXPECT_LT(vector_at<d>(in, "normal", i).dot(vector_at<d>(out, "normal", i)), -0.8);
@@ -318,6 +325,11 @@ void OrientsTheNormalInAHollow(const Row& row) {
   }
 }
 
+/// Corrected currents have a measure for each curvature: their mean and gaussian are not made of k1 and k2.
+bool measures_each_curvature(const Row& row) {
+  return row.estimator == "icnc" || row.estimator == "ccnc";
+}
+
 template <int d>
 void OrdersItsPrincipalCurvatures(const Row& row) {
   for (const auto& set :
@@ -329,6 +341,7 @@ void OrdersItsPrincipalCurvatures(const Row& row) {
     for (std::size_t i = 0; i < surfels.size(); ++i) {
       const double k1 = estimates["k1"][i], k2 = estimates["k2"][i];
       EXPECT_GE(k1, k2);
+      if (measures_each_curvature(row)) continue;
       EXPECT_NEAR(estimates["mean"][i], (k1 + k2) / 2, 1e-12);
       EXPECT_NEAR(estimates["gaussian"][i], k1 * k2, 1e-12);
     }
@@ -366,6 +379,7 @@ void CountsItsWork(const Row& row) {
     estimator->eval(surfels);
     const EstimatorWork work = estimator->work();
     EXPECT_GT(work.evaluations, 0);
+    if (!find_estimator(row.estimator).variant<d>().takes_options()) continue;  // no sums over balls
     EXPECT_LE(work.evaluations, std::int64_t(2 * surfels.size()));
     EXPECT_EQ(work.kernel_size,
               std::int64_t(ball_kernel<d>({5}, row.options.centre == KernelCentre::spels ? -1 : 0).size()));

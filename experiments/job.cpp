@@ -100,7 +100,7 @@ class MethodRun {
     if (!method.radius) return;
     const GridStep h{common.h};
     R_ = method.radius->at(h);
-    record_.evaluation = to_string(*method.evaluation);
+    if (method.evaluation) record_.evaluation = to_string(*method.evaluation);
     record_.centre = centre_ == KernelCentre::spels ? "spels" : "surfel";
     record_.k = method.radius->k;
     record_.alpha = method.radius->alpha;

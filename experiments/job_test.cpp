@@ -40,6 +40,23 @@ TEST(RunJob, GivesTheSameErrorsWhateverTheParts) {
   }
 }
 
+TEST(RunJob, GivesWhatLooksAtTheSurfaceAllOfItWhateverTheParts) {
+  const Study study = Study::read(nlohmann::json::parse(R"({"name": "surface", "sweeps": [{
+    "shapes": ["torus:major=6,minor=2"], "estimators": ["icnc", "ccnc", "vcm"], "evaluations": ["masks", "bricks"],
+    "radii": [{"k": 1.5}], "schedule": {"values": [0.25]}, "shifts": 1}]})"),
+                                  "test.json");
+  const Job job{&study.sweeps[0], 0, 0, 0, 0};
+  const auto shape = make_shape<3>("torus:major=6,minor=2");
+  const std::vector<Record> whole = run_job<3>(study, job, *shape), parts = run_job<3>(study, job, *shape, 1000);
+  ASSERT_EQ(whole.size(), 5u) << "vcm has but one way to be evaluated";
+  EXPECT_EQ(whole.back().evaluation, "");
+  EXPECT_GT(whole.back().digital_radius, 1);
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    EXPECT_FALSE(whole[i].errors.empty());
+    EXPECT_EQ(errors_of(parts[i]), errors_of(whole[i])) << whole[i].estimator;
+  }
+}
+
 TEST(RunJob, NamesTheStepThatIsTooCoarse) {
   const Study study = Study::read(nlohmann::json::parse(R"({"name": "coarse", "sweeps": [{
     "shapes": ["sphere:radius=0.01"], "estimators": ["ii"],

@@ -31,8 +31,10 @@ std::vector<Job> jobs_of(const Study& study) {
   return jobs;
 }
 
-/// By how many powers of R/h an evaluation reads less than the whole kernel.
-int steps_saved(Evaluation evaluation) {
+/// By how many powers of R/h an evaluation reads less than the whole kernel; an estimator without one looks at the
+/// surface in a ball.
+int steps_saved(const std::optional<Evaluation>& evaluation) {
+  if (!evaluation) return 1;
   return evaluation == Evaluation::full ? 0 : evaluation == Evaluation::masks ? 1 : 2;
 }
 
@@ -43,7 +45,7 @@ double work_of(const Sweep& sweep, const Shape<d>& shape, GridStep h) {
   double reads = 300;  // digitization and truth
   for (const Method& method : sweep.methods())
     reads += method.radius
-                 ? std::pow(to_digital(method.radius->at(h), h).value, d - steps_saved(*method.evaluation))
+                 ? std::pow(to_digital(method.radius->at(h), h).value, d - steps_saved(method.evaluation))
                  : 300;
   return surfels * reads;
 }
@@ -59,7 +61,7 @@ double predicted_job_memory(const Sweep& sweep, const Shape<d>& shape, GridStep 
            (comes_in_parts(settings) ? std::min(surfels, double(kSurfelsInPart)) : surfels);
   for (const Method& method : sweep.methods()) {
     bytes += double(sizeof(double)) * surfels * double(compared_quantities(method.estimator, d).size());
-    if (method.radius)
+    if (method.evaluation)
       bytes += predicted_table_memory<d>(find_estimator(method.estimator).variant<d>(),
                                          to_digital(method.radius->at(h), h), *method.evaluation, threads);
   }

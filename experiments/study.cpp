@@ -35,6 +35,11 @@ bool takes_radius(const std::string& estimator, int dimension) {
   return dimension == 2 ? entry.variant<2>().takes_radius : entry.variant<3>().takes_radius;
 }
 
+bool takes_options(const std::string& estimator, int dimension) {
+  const EstimatorEntry& entry = find_estimator(estimator);
+  return dimension == 2 ? entry.variant<2>().takes_options() : entry.variant<3>().takes_options();
+}
+
 RadiusRule usual_radius(const std::string& estimator, int dimension) {
   const EstimatorEntry& entry = find_estimator(estimator);
   return {dimension == 2 ? entry.variant<2>().usual_k : entry.variant<3>().usual_k, 1.0 / 3.0};
@@ -69,7 +74,7 @@ Sweep read_sweep(JsonReader& reader) {
     if (evaluations.empty()) reader.fail("evaluations", "a list with at least one entry");
   }
   for (const std::string& name : estimators)
-    if (takes_radius(name, dimension))
+    if (takes_options(name, dimension))
       for (const Evaluation evaluation : evaluations)
         placed(reader, [&] {
           const EstimatorEntry& entry = find_estimator(name);
@@ -123,9 +128,11 @@ std::vector<Method> Sweep::methods() const {
   std::vector<Method> result;
   for (std::size_t i = 0; i < std::max<std::size_t>(1, radii.size()); ++i)
     for (const std::string& name : estimators) {
-      if (takes_radius(name, dimension())) {
-        const RadiusRule radius = radii.empty() ? usual_radius(name, dimension()) : radii[i];
-        for (const Evaluation evaluation : evaluations) result.push_back({name, radius, evaluation});
+      const auto radius = [&] { return radii.empty() ? usual_radius(name, dimension()) : radii[i]; };
+      if (takes_options(name, dimension())) {
+        for (const Evaluation evaluation : evaluations) result.push_back({name, radius(), evaluation});
+      } else if (takes_radius(name, dimension())) {
+        result.push_back({name, radius(), std::nullopt});
       } else if (i == 0) {
         result.push_back({name, std::nullopt, std::nullopt});
       }

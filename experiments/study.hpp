@@ -16,7 +16,7 @@ namespace gridstep {
 struct Method {
   std::string estimator;
   std::optional<RadiusRule> radius;      ///< where the estimator takes one
-  std::optional<Evaluation> evaluation;  ///< likewise
+  std::optional<Evaluation> evaluation;  ///< where it takes options
 
   /// Whether both must give the same numbers: all but the evaluation is the same.
   bool agrees_with(const Method& other) const;

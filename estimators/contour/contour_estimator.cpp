@@ -55,6 +55,8 @@ EstimatorEntry contour_estimator(std::string name, std::string summary, std::vec
   };
   variant.position = position;
   variant.takes_radius = false;
+  variant.evaluations = {};
+  variant.centres = {};
   return {std::move(name), std::move(summary), std::move(variant), std::nullopt};
 }
 

@@ -99,6 +99,8 @@ EstimatorEntry describe_ii_parameter_free() {
     return std::make_unique<ParameterFree>(set);
   };
   variant.takes_radius = false;
+  variant.evaluations = {};
+  variant.centres = {};
   return {"ii-parameter-free", "integral invariant with a radius from the maximal segments: curvature (2D)",
           std::move(variant), std::nullopt};
 }

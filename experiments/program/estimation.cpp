@@ -65,7 +65,7 @@ std::vector<std::string> estimators_with_quantity(const EstimateOptions& options
         return entry.in_3d;
     }
     ();
-    if (variant && std::any_of(variant->quantities.begin(), variant->quantities.end(),
+    if (variant && entry.not_built.empty() && std::any_of(variant->quantities.begin(), variant->quantities.end(),
                                [&](const Quantity& q) { return wanted(options, q.name); }))
       names.push_back(entry.name);
   }
@@ -89,7 +89,7 @@ std::vector<Estimation<d>> chosen(const EstimateOptions& options, const std::opt
     if (variant.takes_radius && !R)
       throw InputError(fmt::format("estimator '{}' needs one of --radius and --k (usual: --k {:.4g})", name,
                                    variant.usual_k));
-    if (variant.takes_radius) variant.require(parse_evaluation(options.evaluation), name);
+    if (variant.takes_options()) variant.require(parse_evaluation(options.evaluation), name);
     radius_used |= variant.takes_radius;
     result.push_back({name, &variant, {}, {}, {}, 0, 0});
   }
@@ -110,7 +110,7 @@ double predicted_memory(const std::vector<Estimation<d>>& estimations, const Rea
   for (const Estimation<d>& e : estimations) {
     const bool moments = d == 3 && e.variant->quantities.size() > 1;
     bytes += surfels * predicted_surfel_memory(moments);
-    if (R && e.variant->takes_radius)
+    if (R && e.variant->takes_options())
       tables = std::max(tables, predicted_table_memory<d>(*e.variant, to_digital(*R, h), evaluation,
                                                           tbb::this_task_arena::max_concurrency()));
   }
@@ -173,7 +173,7 @@ template <int d>
 std::string work_text(const Estimation<d>& e, const EstimateOptions& options, std::size_t surfels) {
   const EstimatorWork& work = e.work;
   std::string text;
-  if (e.variant->takes_radius) {
+  if (e.variant->takes_options()) {
     text = fmt::format("{}: {} kernel evaluations, {} cells visited, {} restarts; kernel of {} cells",
                        options.evaluation, work.evaluations, work.cells_visited, work.restarts,
                        work.kernel_size);

@@ -79,7 +79,8 @@ ordered_json estimators_json() {
                       {"takes_radius", takes_radius(entry)},
                       {"usual_k_2d", usual_k(entry.in_2d)},
                       {"usual_k_3d", usual_k(entry.in_3d)},
-                      {"values_at", values_at(entry)}});
+                      {"values_at", values_at(entry)},
+                      {"built", entry.not_built.empty()}});
   return result;
 }
 
@@ -119,6 +120,7 @@ void print_estimators() {
     print_quantities("2D", entry.in_2d);
     print_quantities("3D", entry.in_3d);
     say(stdout, "  {:<18}   {}, values at the {}\n", "", radius_text(entry), values_at(entry));
+    if (!entry.not_built.empty()) say(stdout, "  {:<18}   not in this build: {}\n", "", entry.not_built);
   }
 }
 

@@ -4,26 +4,9 @@
 #include <limits>
 
 #include "shapes/base/contracts.hpp"
+#include "shapes/digital/surfel_corners.hpp"
 
 namespace gridstep {
-
-namespace {
-
-/// The corners of a surfel in Khalimsky coordinates, counterclockwise seen from outside.
-std::array<LatticePoint<3>, 4> corners(const Surfel<3>& surfel) {
-  constexpr int around[4][2] = {{-1, -1}, {+1, -1}, {+1, +1}, {-1, +1}};
-  const int u = (surfel.axis + 1) % 3, v = (surfel.axis + 2) % 3;  // u x v points along the axis
-  std::array<LatticePoint<3>, 4> result;
-  for (int i = 0; i < 4; ++i) {
-    const int* const step = around[surfel.sign > 0 ? i : 3 - i];
-    LatticePoint<3>& corner = result[std::size_t(i)] = surfel.cell().coordinates;
-    corner[u] += step[0];
-    corner[v] += step[1];
-  }
-  return result;
-}
-
-}  // namespace
 
 QuadMesh quad_mesh(std::span<const Surfel<3>> surfels, GridStep h) {
   std::vector<LatticePoint<3>> pointels;

@@ -1,0 +1,64 @@
+#include "experiments/catalogue.hpp"
+
+namespace gridstep {
+
+/// The most accurate estimators on the same surfels with the same truth, each with its usual radius. Shapes have a size of
+/// about ten, so that one k serves them all: the blobby cube is ten times larger than elsewhere, the star a sphere with
+/// random terms of third and fourth degree, the slanted ellipsoid one under random rotations.
+StudyEntry describe_accuracy_frontier() {
+  return {"accuracy-frontier", "the most accurate estimators at equal h, each with its usual radius: errors and time",
+          R"json({
+  "name": "accuracy-frontier",
+  "description": "errors at equal h, usual radii",
+  "timing": true,
+  "tables": ["convergence", "cost", "work-precision", "equal-error"],
+  "sweeps": [{
+    "shapes": ["ellipse:a=20,b=7,angle=0.3", "flower:radius=20,amplitude=5,petals=5",
+               "flower:radius=20,amplitude=10,petals=6,phase=3"],
+    "estimators": ["ii", "ii-pf1", "ii-ho1", "mdca", "lambda-mdca", "bc"],
+    "schedule": {"values": [0.4, 0.2, 0.1, 0.05, 0.025]},
+    "shifts": 5
+  }, {
+    "shapes": ["sphere:radius=9", "ellipsoid:a=9,b=7,c=5", "goursat", "torus:major=6,minor=2",
+               "polynomial:0.0081*(x^4+y^4+z^4)-0.45*(x^2+y^2+z^2)-6",
+               "polynomial:x^2+y^2+z^2+0.021*x^2*y-0.034*y^2*z+0.027*x*y*z+0.0021*x^4+0.0013*y^4+0.0032*x^2*z^2-64"],
+    "estimators": ["ii", "ii-covariance", "ii-pf1", "ii-ho1", "icnc", "ccnc", "vcm"],
+    "schedule": {"values": [1, 0.7, 0.5, 0.35, 0.25]},
+    "shifts": 3
+  }, {
+    "shapes": ["ellipsoid:a=9,b=7,c=5"],
+    "estimators": ["ii", "ii-pf1", "ii-ho1", "icnc"],
+    "schedule": {"values": [1, 0.7, 0.5, 0.35, 0.25]},
+    "rotate": true,
+    "shifts": 3
+  }]
+})json",
+          R"json({
+  "name": "accuracy-frontier",
+  "description": "errors at equal h, usual radii",
+  "timing": true,
+  "tables": ["convergence", "cost", "work-precision", "equal-error"],
+  "sweeps": [{
+    "shapes": ["ellipse:a=20,b=7,angle=0.3", "flower:radius=20,amplitude=5,petals=5",
+               "flower:radius=20,amplitude=10,petals=6,phase=3", "lpball:radius=15,power=4"],
+    "estimators": ["ii", "ii-parameter-free", "ii-pf1", "ii-ho1", "mdca", "lambda-mdca", "bc", "mdss-length"],
+    "schedule": {"values": [0.4, 0.2, 0.1, 0.05, 0.025, 0.0125, 0.00625]},
+    "shifts": 10
+  }, {
+    "shapes": ["sphere:radius=9", "ellipsoid:a=9,b=7,c=5", "goursat", "torus:major=6,minor=2", "rounded-cube:radius=9",
+               "polynomial:0.0081*(x^4+y^4+z^4)-0.45*(x^2+y^2+z^2)-6",
+               "polynomial:x^2+y^2+z^2+0.021*x^2*y-0.034*y^2*z+0.027*x*y*z+0.0021*x^4+0.0013*y^4+0.0032*x^2*z^2-64"],
+    "estimators": ["ii", "ii-covariance", "ii-pf1", "ii-ho1", "icnc", "ccnc", "vcm"],
+    "schedule": {"values": [1, 0.7, 0.5, 0.35, 0.25, 0.175, 0.125, 0.0875, 0.0625]},
+    "shifts": 10
+  }, {
+    "shapes": ["ellipsoid:a=9,b=7,c=5"],
+    "estimators": ["ii", "ii-pf1", "ii-ho1", "icnc"],
+    "schedule": {"values": [1, 0.7, 0.5, 0.35, 0.25, 0.175, 0.125, 0.0875, 0.0625]},
+    "rotate": true,
+    "shifts": 10
+  }]
+})json"};
+}
+
+}  // namespace gridstep
