@@ -21,8 +21,7 @@ namespace gridstep {
 ///          counts, cells that are partly in the ball count in part: see inclusion().
 ///   Units  1/length (gaussian: 1/length^2), positive where the set is convex; mean and gaussian are measures of
 ///          their own, not made of k1 and k2. The normal is the corrected one.
-///   Bound  none in the catalogue: the authors' rate, O(h^(1/3)) for normals by integral invariants, holds for
-///          measures in balls of a size that does not shrink as fast.
+///   Bound  the measures converge with the normals [Lachaud, Romon, Thibert, DCG 68, 2022]; no rate is claimed here.
 ///   Cost   that of `ii-covariance`, and of (R/h)^(3/2) faces each.
 /// @tparam Current made from the surface and the unit normals of its faces; in_ball(face, centre, radius) gives the
 ///         measures, in cells, of the part in a ball of the face and of its shares of edges and vertices

@@ -9,8 +9,8 @@
 namespace gridstep {
 
 /// The curvature measures of a corrected normal current: a surface x with a field u of vectors in place of its normals
-/// [Lachaud, Romon, Thibert, CGF 39(5), 2020; DCG 68, 2022]. Over a parametrization by (s, t), with x_s × x_t on the
-/// outer side,
+/// [Lachaud, Romon, Thibert, Coeurjolly, CGF 39(5), 2020; Lachaud, Romon, Thibert, DCG 68, 2022]. Over a
+/// parametrization by (s, t), with x_s × x_t on the outer side,
 ///   mu0 = ∫∫ det(u, x_s, x_t)                          the area, where u is the unit normal
 ///   mu1 = ∫∫ det(u, u_s, x_t) + det(u, x_s, u_t)       twice the integral of the mean curvature
 ///   mu2 = ∫∫ det(u, u_s, u_t)                          the integral of the Gaussian curvature

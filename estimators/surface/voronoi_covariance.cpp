@@ -12,7 +12,7 @@ namespace gridstep {
 
 namespace {
 
-constexpr int kBlockShift = 6;  // blocks of 64 points a side, in whose order sites are evaluated
+constexpr int kBlockShift = 6;  // sites are evaluated by blocks of 64 points a side
 constexpr std::int32_t kFar = 1 << 28;
 
 LatticePoint<3> block_of(const LatticePoint<3>& z) {
@@ -81,14 +81,12 @@ void nearest_along(Grid<std::int32_t>& squared, int axis, int r) {
   }
 }
 
-/// V of the sites of one block, numbers into `sites`.
-void evaluate_block(std::span<const LatticePoint<3>> sites, const LatticePoint<3>& block,
-                    std::span<const std::uint32_t> near, std::int64_t r2, const Shells& shells,
-                    std::vector<Eigen::Matrix3d>& result) {
+/// V of the sites in a box, from those near it: numbers into `sites`.
+void evaluate_box(std::span<const LatticePoint<3>> sites, const LatticeBox<3>& own,
+                  std::span<const std::uint32_t> near, std::int64_t r2, const Shells& shells,
+                  std::vector<Eigen::Matrix3d>& result) {
   const int r = int(std::sqrt(double(r2)));
-  const LatticePoint<3> lo = block * (1 << kBlockShift);
-  const LatticeBox<3> own{lo, lo.array() + ((1 << kBlockShift) - 1)}, points = own.dilated(r),
-                                                                      around = own.dilated(2 * r);
+  const LatticeBox<3> points = own.dilated(r), around = own.dilated(2 * r);
   constexpr std::uint32_t kNoSite = ~std::uint32_t{0};
   Grid<std::uint32_t> site_at(around, kNoSite);
   Grid<std::int32_t> squared(around, kFar);
@@ -144,7 +142,9 @@ std::vector<Eigen::Matrix3d> voronoi_covariances(std::span<const LatticePoint<3>
                          near.insert(near.end(), of_block[std::size_t(number)].begin(),
                                      of_block[std::size_t(number)].end());
                      });
-      evaluate_block(sites, blocks[b], near, r2, shells, result);
+      LatticeBox<3> own{sites[of_block[b].front()], sites[of_block[b].front()]};
+      for (const std::uint32_t i : of_block[b]) own = {own.lo.cwiseMin(sites[i]), own.hi.cwiseMax(sites[i])};
+      evaluate_box(sites, own, near, r2, shells, result);
     }
   });
   return result;
