@@ -20,7 +20,7 @@ namespace {
 ///   sum V(q) (1 - |q - c| / R)   over the pointels of the surface in the ball of radius R around c,
 /// connected to the surfel there; outwards is where the trivial normals of the faces in that ball sum up to.
 ///   Radii  R of both the cells and the kernel. DGtal's programs take 10 h^0.33 and 3 h^0.33 for them; of the ratios
-///          1/2, 1, 2 and 10/3, 1 has the least errors on Goursat's surface and on the ellipsoid 9, 7, 5.
+///          1/2, 1, 2 and 10/3, 1 has the least rms on Goursat's surface and on the ellipsoid 9, 7, 5.
 ///   Units  a unit vector.
 ///   Bound  it converges for radii that shrink slowly enough [Cuel, Lachaud, Thibert, DGCI 2014]; no rate is claimed
 ///          here.
