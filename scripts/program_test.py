@@ -789,6 +789,7 @@ class LevelOfDetail(WithVolume):
             rows = list(csv.DictReader(file))
         self.assertEqual([(r["quantity"], r["R/h"]) for r in rows][:3], [("mean", "4"), ("mean", "2.5"), ("gaussian", "4")])
         self.assertIn("written: out/radius-2.5.vtp", result.stdout)
+        self.must_fail(["report", "out"], "out/summary.json", "no page", "scripts/figures")
         again = self.must_work(*self.study, "--radii", "4,2.5", "--json").stdout
         self.assertEqual(json.loads(again), json.loads((self.folder / "out/summary.json").read_text()))
 

@@ -78,6 +78,7 @@ void check_work_precision(JsonReader& curve) {
 void check_summary(const json& summary, const std::string& source) {
   JsonReader reader(summary, source);
   check_schema(reader);
+  if (reader.has("detail")) reader.fail("one surface at several radii has no page; scripts/figures draws it");
   for (JsonReader& series : reader.objects("convergence")) check_convergence(series);
   for (JsonReader& cost : reader.objects("cost")) check_cost(cost);
   for (JsonReader& curve : reader.objects("work_precision")) check_work_precision(curve);

@@ -42,7 +42,7 @@ class View:
         margin = 0.02 * np.ptp(squares, axis=(0, 1)).max()
         low, high = squares.min(axis=(0, 1)) - margin, squares.max(axis=(0, 1)) + margin
         extent = (low[0], high[0], low[1], high[1])
-        axes.imshow(_picture(squares, shaded, extent), extent=extent, interpolation="lanczos")
+        axes.imshow(_picture(squares, shaded, extent), extent=extent, interpolation="bilinear")
         axes.axis("off")
 
     def draw_directions(self, axes, surface, name, spacing, colour="black"):
