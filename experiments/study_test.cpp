@@ -140,7 +140,8 @@ TEST(Study, NamesThePlaceInASweepToo) {
       {R"({"evaluations": "full"})", "evaluations = \"full\" must be a list of texts"},
       {R"({"centre": "pointel"})", "unknown kernel centre 'pointel'; known: spels, surfel"},
       {R"({"centre": 1})", "centre = 1 must be a text"},
-      {R"({"radii": null})", "key 'radii' is missing"},
+      {R"({"estimators": ["ii-ho1"], "evaluations": ["masks"]})",
+       "estimator 'ii-ho1' has no evaluation 'masks'; it has: full, bricks"},
       {R"({"radii": []})", "radii = [] must be a list with at least one entry"},
       {R"({"radii": {"k": 2}})", "radii = {\"k\":2} must be a list of objects"},
       {R"({"noise": []})", "noise = [] must be a list with at least one entry"},
@@ -180,6 +181,18 @@ TEST(Study, NeedsNoRadiusWhereNoEstimatorTakesOne) {
               std::string::npos)
         << key;
   }
+}
+
+TEST(Study, TakesTheUsualRadiusOfEachEstimatorWhereNoneIsGiven) {
+  json usual = valid();
+  usual["sweeps"][0].erase("radii");
+  usual["sweeps"][0]["estimators"] = {"ii", "ii-ho1", "mdca"};
+  usual["sweeps"][0]["evaluations"] = {"bricks"};
+  const auto methods = Study::read(usual, "mine.json").sweeps[0].methods();
+  ASSERT_EQ(methods.size(), 3u);
+  EXPECT_EQ(methods[0].radius, (RadiusRule{5}));
+  EXPECT_EQ(methods[1].radius, (RadiusRule{8}));
+  EXPECT_FALSE(methods[2].radius.has_value());
 }
 
 TEST(Study, TakesMethodsOncePerRadiusAndEvaluationOrOnce) {
