@@ -29,7 +29,7 @@ class FullBricks {
   void add(int bit, int first, int last, int y, int z, RadialSum& sum) const {
     const RadialSum* const row = &sums_[index(bit, y, z)];
     sum += row[last + 1 + most_];
-    sum -= row[first + most_];
+    if (first > -most_) sum -= row[first + most_];  // else zero
   }
 
  private:
@@ -152,25 +152,30 @@ std::vector<RadialSum> RadialBricks::eval(const DigitalSet<3>& set, const bricks
   std::vector<RadialSum> result(spels.size());
   struct Scratch {
     Neighbours neighbours;
+    std::vector<int> bits;  // of the source brick's spels
     std::int64_t visited = 0;
   };
   PerWorker<Scratch> scratches;
   const auto& sources = spels.sources();
   constexpr std::size_t kGrain = 4;
   parallel_chunks(sources.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-    auto& [neighbours, visited] = scratches.local();
+    auto& [neighbours, bits, visited] = scratches.local();
     for (std::size_t i = begin; i != end; ++i) {
       neighbours.list(set, sources[i].brick, weights.most());
-      RadialSum* sum = &result[sources[i].begin];
-      for_each_bit(sources[i].spels, [&](int bit) {
-        for (const Neighbours::Mixed& mixed : neighbours.mixed)
-          if (const LatticePoint<3> offset = weights.offset(mixed.brick, bit); weights.meets(offset))
-            add(weights, offset, mixed.words, *sum);
+      bits.clear();
+      for_each_bit(sources[i].spels, [&](int bit) { bits.push_back(bit); });
+      RadialSum* const sums = &result[sources[i].begin];
+      // Brick by brick: to all spels it shows nearly the same weights, which stay in the cache.
+      for (const Neighbours::Mixed& mixed : neighbours.mixed)
+        for (std::size_t k = 0; k < bits.size(); ++k)
+          if (const LatticePoint<3> offset = weights.offset(mixed.brick, bits[k]); weights.meets(offset)) {
+            add(weights, offset, mixed.words, sums[k]);
+            ++visited;
+          }
+      for (std::size_t k = 0; k < bits.size(); ++k)
         for (const Neighbours::Run& run : neighbours.runs)
-          full.add(bit, run.first, run.last, run.y, run.z, *sum);
-        visited += std::int64_t(neighbours.mixed.size() + neighbours.runs.size());
-        ++sum;
-      });
+          full.add(bits[k], run.first, run.last, run.y, run.z, sums[k]);
+      visited += std::int64_t(neighbours.runs.size() * bits.size());
     }
   });
   if (work) {
