@@ -18,6 +18,7 @@ EstimatorWork& EstimatorWork::operator+=(const EstimatorWork& other) {
   restarts += other.restarts;
   kernel_size = other.kernel_size;
   mask_sizes = other.mask_sizes;
+  fallbacks += other.fallbacks;
   return *this;
 }
 

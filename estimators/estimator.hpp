@@ -28,7 +28,8 @@ struct EstimatorWork {
   std::int64_t restarts = 0;     ///< whole-kernel evaluations among incremental ones
   std::int64_t kernel_size = 0;  ///< cells of one kernel
   /// Cells gained by each displacement mask (as many are lost), in the order of DisplacementMasks::steps().
-  std::vector<std::int64_t> mask_sizes;
+  std::vector<std::int64_t> mask_sizes{};
+  std::int64_t fallbacks = 0;  ///< surfels at which a guard chose another kernel than the first
 
   /// Of two ranges of surfels, with one kernel.
   EstimatorWork& operator+=(const EstimatorWork& other);

@@ -22,7 +22,7 @@ StudyEntry describe_accuracy_frontier() {
     "shapes": ["sphere:radius=9", "ellipsoid:a=9,b=7,c=5", "goursat", "torus:major=6,minor=2",
                "polynomial:0.0081*(x^4+y^4+z^4)-0.45*(x^2+y^2+z^2)-6",
                "polynomial:x^2+y^2+z^2+0.021*x^2*y-0.034*y^2*z+0.027*x*y*z+0.0021*x^4+0.0013*y^4+0.0032*x^2*z^2-64"],
-    "estimators": ["ii", "ii-covariance", "ii-pf1", "ii-ho1", "icnc", "ccnc", "vcm"],
+    "estimators": ["ii", "ii-covariance", "ii-pf1", "ii-ho1", "ii-ho1-guarded", "icnc", "ccnc", "vcm"],
     "schedule": {"values": [1, 0.7, 0.5, 0.35, 0.25]},
     "shifts": 3
   }, {
@@ -48,7 +48,7 @@ StudyEntry describe_accuracy_frontier() {
     "shapes": ["sphere:radius=9", "ellipsoid:a=9,b=7,c=5", "goursat", "torus:major=6,minor=2", "rounded-cube:radius=9",
                "polynomial:0.0081*(x^4+y^4+z^4)-0.45*(x^2+y^2+z^2)-6",
                "polynomial:x^2+y^2+z^2+0.021*x^2*y-0.034*y^2*z+0.027*x*y*z+0.0021*x^4+0.0013*y^4+0.0032*x^2*z^2-64"],
-    "estimators": ["ii", "ii-covariance", "ii-pf1", "ii-ho1", "icnc", "ccnc", "vcm"],
+    "estimators": ["ii", "ii-covariance", "ii-pf1", "ii-ho1", "ii-ho1-guarded", "icnc", "ccnc", "vcm"],
     "schedule": {"values": [1, 0.7, 0.5, 0.35, 0.25, 0.175, 0.125, 0.0875, 0.0625]},
     "shifts": 10
   }, {

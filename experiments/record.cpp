@@ -29,7 +29,8 @@ ordered_json to_json(const EstimatorWork& work) {
           {"cells_visited", work.cells_visited},
           {"restarts", work.restarts},
           {"kernel_size", work.kernel_size},
-          {"mask_sizes", work.mask_sizes}};
+          {"mask_sizes", work.mask_sizes},
+          {"fallbacks", work.fallbacks}};
 }
 
 ordered_json to_json(const Record& r) {
@@ -85,7 +86,7 @@ Record record_from(const ordered_json& json) {
                                        norms.at("mean").get<double>(), norms.at("count").get<std::size_t>()});
     const ordered_json& work = json.at("work");
     r.work = {work.at("evaluations"), work.at("cells_visited"), work.at("restarts"), work.at("kernel_size"),
-              work.at("mask_sizes")};
+              work.at("mask_sizes"), work.value("fallbacks", std::int64_t{0})};
     const ordered_json& seconds = json.at("seconds");
     r.seconds_digitize = seconds.at("digitize");
     r.seconds_truth = seconds.at("truth");

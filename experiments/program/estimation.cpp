@@ -181,6 +181,7 @@ std::string work_text(const Estimation<d>& e, const EstimateOptions& options, st
       const auto [least, most] = std::minmax_element(work.mask_sizes.begin(), work.mask_sizes.end());
       text += fmt::format(", {} masks that gain (and lose) {} to {}", work.mask_sizes.size(), *least, *most);
     }
+    if (work.fallbacks > 0) text += fmt::format(", {} of {} surfels by a fallback", work.fallbacks, surfels);
     text += "\n";
   }
   return text + fmt::format("init {}, evaluation {} ({:.0f} ns a surfel)\n", format_seconds(e.seconds_init),
