@@ -4,7 +4,7 @@ namespace gridstep {
 
 /// The most accurate estimators on the same surfels with the same truth, each with its usual radius. Shapes have a size of
 /// about ten, so that one k serves them all: the blobby cube is ten times larger than elsewhere, the star a sphere with
-/// random terms of third and fourth degree, the slanted ellipsoid one under random rotations.
+/// small terms of third and fourth degree, the slanted ellipsoid one under random rotations.
 StudyEntry describe_accuracy_frontier() {
   return {"accuracy-frontier", "the most accurate estimators at equal h, each with its usual radius: errors and time",
           R"json({
