@@ -6,7 +6,7 @@ import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 
 const restPixels = 2;
 const restAfter = 200; // ms
-const leastPixels = 0.5;
+const leastPixels = 0.35;
 const slowest = 1 / 24; // s a frame: a little faster than the 20 frames a second that look smooth
 const turnSpeed = 2; // of OrbitControls: a turn in 30 s
 const keys = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
@@ -103,7 +103,7 @@ export class Stage {
 
   /** Fewer pixels for as long as frames come too slowly: in software, pixels cost as much as the surface does. */
   #keepPace(seconds) {
-    this.#pace += 0.2 * (seconds - this.#pace);
+    this.#pace += 0.4 * (seconds - this.#pace);
     if (this.#pace < slowest || this.#movingPixels <= leastPixels) return;
     this.#movingPixels = Math.max(leastPixels, this.#movingPixels * Math.SQRT1_2);
     this.#pace = 0;
