@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "experiments/analysis.hpp"
+#include "experiments/best_radius.hpp"
 #include "experiments/catalogue.hpp"
 #include "experiments/core/json_reader.hpp"
 #include "experiments/core/output_file.hpp"
@@ -92,7 +93,8 @@ void run(const StudyOptions& options) {
   const std::pair<std::string, Table> tables[] = {{"convergence", convergence_table(convergence)},
                                                   {"cost", cost_table(costs)},
                                                   {"work-precision", work_precision_table(work_precision)},
-                                                  {"equal-error", equal_error_table(work_precision)}};
+                                                  {"equal-error", equal_error_table(work_precision)},
+                                                  {"best-radius", best_radius_table(radius_scans_of(convergence))}};
   for (const auto& [name, table] : tables) {
     if (options.csv) write_whole(folder / (name + ".csv"), to_csv(table));
     if (options.latex) write_whole(folder / (name + ".tex"), to_latex(table));
