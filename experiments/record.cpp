@@ -86,7 +86,7 @@ Record record_from(const ordered_json& json) {
                                        norms.at("mean").get<double>(), norms.at("count").get<std::size_t>()});
     const ordered_json& work = json.at("work");
     r.work = {work.at("evaluations"), work.at("cells_visited"), work.at("restarts"), work.at("kernel_size"),
-              work.at("mask_sizes"), work.value("fallbacks", std::int64_t{0})};
+              work.at("mask_sizes"), work.at("fallbacks")};
     const ordered_json& seconds = json.at("seconds");
     r.seconds_digitize = seconds.at("digitize");
     r.seconds_truth = seconds.at("truth");

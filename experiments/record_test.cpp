@@ -78,6 +78,7 @@ TEST(Record, ComesBackFromItsLine) {
   EXPECT_EQ(r.work.restarts, e.work.restarts);
   EXPECT_EQ(r.work.kernel_size, e.work.kernel_size);
   EXPECT_EQ(r.work.mask_sizes, e.work.mask_sizes);
+  EXPECT_EQ(r.work.fallbacks, e.work.fallbacks);
   EXPECT_EQ(r.seconds_digitize, e.seconds_digitize);
   EXPECT_EQ(r.seconds_truth, e.seconds_truth);
   EXPECT_EQ(r.seconds_init, e.seconds_init);
