@@ -33,7 +33,7 @@ Record example() {
   r.components = 8;
   r.worst_residual = 9e-16;
   r.errors = {{"mean", {10.5, 11.5, 12.5, 13}}, {"gaussian", {14.5, 15.5, 16.5, 17}}};
-  r.work = {18, 19'000'000'000, 20, 21, {22}};
+  r.work = {18, 19'000'000'000, 20, 21, {22}, 23};
   r.seconds_digitize = 23.5;
   r.seconds_truth = 24.5;
   r.seconds_init = 25.5;
