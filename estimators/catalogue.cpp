@@ -37,7 +37,7 @@ const EstimatorEntry::Variant<3>& EstimatorEntry::variant<3>() const {
 }
 
 template <int d>
-void EstimatorEntry::Variant<d>::require(Evaluation evaluation, const std::string& estimator) const {
+void EstimatorVariant<d>::require(Evaluation evaluation, const std::string& estimator) const {
   if (std::find(evaluations.begin(), evaluations.end(), evaluation) != evaluations.end()) return;
   std::vector<std::string> known;
   for (const Evaluation one : evaluations) known.push_back(to_string(one));
@@ -46,12 +46,12 @@ void EstimatorEntry::Variant<d>::require(Evaluation evaluation, const std::strin
 }
 
 template <int d>
-KernelCentre EstimatorEntry::Variant<d>::centre(KernelCentre wanted) const {
+KernelCentre EstimatorVariant<d>::centre(KernelCentre wanted) const {
   return centres.size() == 1 ? centres.front() : wanted;
 }
 
-template struct EstimatorEntry::Variant<2>;
-template struct EstimatorEntry::Variant<3>;
+template struct EstimatorVariant<2>;
+template struct EstimatorVariant<3>;
 
 const std::vector<EstimatorEntry>& estimator_catalogue() {
   static const std::vector<EstimatorEntry> entries{
