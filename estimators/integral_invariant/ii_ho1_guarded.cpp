@@ -7,6 +7,15 @@ namespace gridstep {
 
 namespace {
 
+struct Attempt {
+  const char* estimator;
+  double part;  // of R
+};
+// The second is the least ball with which ii-ho1 is less noisy than ii-pf1 with its usual one; parts are those of the
+// usual k: 6, and 4, of 6.75.
+constexpr std::array kAttempts{Attempt{"ii-ho1", 1}, Attempt{"ii-ho1", 6 / 6.75},
+                               Attempt{"ii-pf1", 4 / 6.75}};
+
 /// `ii-ho1` with a guard: where the ball has outgrown the feature, a smaller one, and then `ii-pf1`, which needs less of it.
 ///
 /// A ball fits at a surfel where the set goes on below it, and is empty above it, as far as the ball does: along the
@@ -58,15 +67,6 @@ class GuardedHigherOrder final : public Estimator<3> {
   EstimatorWork work() const override { return work_; }
 
  private:
-  struct Attempt {
-    const char* estimator;
-    double part;  // of R
-  };
-  // The second is the least ball with which ii-ho1 is less noisy than ii-pf1 with its usual one; parts are those of the
-  // usual k: 6, and 4, of 6.75.
-  static constexpr std::array kAttempts{Attempt{"ii-ho1", 1}, Attempt{"ii-ho1", 6 / 6.75},
-                                        Attempt{"ii-pf1", 4 / 6.75}};
-
   std::vector<std::size_t> misfits(const Estimates& estimates, std::span<const Surfel<3>> surfels,
                                    std::size_t attempt) const {
     const std::array normal{&estimates["normal_x"], &estimates["normal_y"], &estimates["normal_z"]};
@@ -109,7 +109,7 @@ EstimatorEntry describe_ii_ho1_guarded() {
   variant.table_memory = [](DigitalLength radius) {  // of the three attempts
     const auto& one = find_estimator("ii-ho1").variant<3>().table_memory;
     double bytes = 0;
-    for (const double part : {1.0, 6 / 6.75, 4 / 6.75}) bytes += one({part * radius.value});
+    for (const Attempt& attempt : kAttempts) bytes += one({attempt.part * radius.value});
     return bytes;
   };
   variant.evaluations = {Evaluation::full, Evaluation::bricks};
