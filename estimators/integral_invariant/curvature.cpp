@@ -31,4 +31,11 @@ PrincipalCurvatures principal_curvatures(const Eigen::Matrix3d& J, const Eigen::
   return result;
 }
 
+std::array<double, kSurfaceQuantities.size()> surface_values(double mean, double gaussian,
+                                                             const PrincipalCurvatures& principal) {
+  const auto& [k1, k2, dir1, dir2, normal] = principal;
+  return {mean,    gaussian, k1,      k2,      normal[0], normal[1], normal[2],
+          dir1[0], dir1[1],  dir1[2], dir2[0], dir2[1],   dir2[2]};
+}
+
 }  // namespace gridstep

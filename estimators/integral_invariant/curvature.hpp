@@ -32,4 +32,12 @@ struct PrincipalCurvatures {
 PrincipalCurvatures principal_curvatures(const Eigen::Matrix3d& J, const Eigen::Vector3d& towards_inside,
                                          EuclideanLength R);
 
+/// The columns of an estimator of all curvatures of a surface, and the values of a row of them. Mean and Gaussian
+/// curvature are given apart: some estimators measure them on their own.
+inline constexpr std::array<const char*, 13> kSurfaceQuantities{
+    "mean",   "gaussian", "k1",     "k2",     "normal_x", "normal_y", "normal_z",
+    "dir1_x", "dir1_y",   "dir1_z", "dir2_x", "dir2_y",   "dir2_z"};
+std::array<double, kSurfaceQuantities.size()> surface_values(double mean, double gaussian,
+                                                             const PrincipalCurvatures& principal);
+
 }  // namespace gridstep

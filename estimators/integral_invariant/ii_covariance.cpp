@@ -16,9 +16,6 @@ namespace {
 ///   one.
 class IntegralInvariantCovariance final : public Estimator<3> {
  public:
-  static constexpr std::array kQuantities{"mean",     "gaussian", "k1",     "k2",     "normal_x",
-                                          "normal_y", "normal_z", "dir1_x", "dir1_y", "dir1_z",
-                                          "dir2_x",   "dir2_y",   "dir2_z"};
   static constexpr std::array kRaw{"sum", "cov_xx", "cov_xy", "cov_xz", "cov_yy", "cov_yz", "cov_zz"};
 
   IntegralInvariantCovariance(const DigitalSet<3>& set, const EstimatorOptions& options)
@@ -32,8 +29,9 @@ class IntegralInvariantCovariance final : public Estimator<3> {
 
   Estimates eval(std::span<const Surfel<3>> surfels) override {
     const auto pairs = sums_.eval(surfels);
-    Estimates result{{kQuantities.begin(), kQuantities.end()},
-                     std::vector<std::vector<double>>(kQuantities.size(), std::vector<double>(pairs.size()))};
+    Estimates result{
+        {kSurfaceQuantities.begin(), kSurfaceQuantities.end()},
+        std::vector<std::vector<double>>(kSurfaceQuantities.size(), std::vector<double>(pairs.size()))};
     raw_ = {{kRaw.begin(), kRaw.end()},
             std::vector<std::vector<double>>(kRaw.size(), std::vector<double>(pairs.size()))};
     const double scale = std::pow(h_.value, 5);
@@ -44,19 +42,8 @@ class IntegralInvariantCovariance final : public Estimator<3> {
       // Both sums are taken from the lower spel here, half a cell off the centre of the ball.
       if (centre_ == KernelCentre::surfel) towards_inside[surfels[i].axis] -= double(inner.n);
       const PrincipalCurvatures principal = principal_curvatures(scale * covariance, towards_inside, R_);
-      const std::array values{(principal.k1 + principal.k2) / 2,
-                              principal.k1 * principal.k2,
-                              principal.k1,
-                              principal.k2,
-                              principal.normal[0],
-                              principal.normal[1],
-                              principal.normal[2],
-                              principal.dir1[0],
-                              principal.dir1[1],
-                              principal.dir1[2],
-                              principal.dir2[0],
-                              principal.dir2[1],
-                              principal.dir2[2]};
+      const auto values =
+          surface_values((principal.k1 + principal.k2) / 2, principal.k1 * principal.k2, principal);
       for (std::size_t c = 0; c < values.size(); ++c) result.columns[c][i] = values[c];
       const std::array raw{0.5 * double(inner.n + outer.n),
                            covariance(0, 0),
@@ -100,7 +87,7 @@ class IntegralInvariantCovariance final : public Estimator<3> {
 
 EstimatorEntry describe_ii_covariance() {
   EstimatorEntry::Variant<3> variant;
-  for (const std::string quantity : IntegralInvariantCovariance::kQuantities) {
+  for (const std::string quantity : kSurfaceQuantities) {
     const bool proven = quantity == "mean" || quantity == "gaussian" || quantity == "k1" || quantity == "k2";
     variant.quantities.push_back({quantity, proven ? std::optional(1.0 / 3.0) : std::nullopt});
   }

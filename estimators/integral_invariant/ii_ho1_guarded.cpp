@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "estimators/catalogue.hpp"
+#include "estimators/integral_invariant/curvature.hpp"
 
 namespace gridstep {
 
@@ -98,10 +99,7 @@ class GuardedHigherOrder final : public Estimator<3> {
 
 EstimatorEntry describe_ii_ho1_guarded() {
   EstimatorEntry::Variant<3> variant;
-  // Those of ii-ho1, which is listed apart: entries cannot ask the catalogue while it is made.
-  for (const char* quantity : {"mean", "gaussian", "k1", "k2", "normal_x", "normal_y", "normal_z", "dir1_x",
-                               "dir1_y", "dir1_z", "dir2_x", "dir2_y", "dir2_z"})
-    variant.quantities.push_back({quantity, std::nullopt});
+  for (const char* quantity : kSurfaceQuantities) variant.quantities.push_back({quantity, std::nullopt});
   variant.make = [](const DigitalSet<3>& set, const EstimatorOptions& options) {
     return std::make_unique<GuardedHigherOrder>(set, options);
   };

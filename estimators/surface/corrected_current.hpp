@@ -28,10 +28,6 @@ namespace gridstep {
 template <class Current>
 class CorrectedCurrentEstimator final : public Estimator<3> {
  public:
-  static constexpr std::array kQuantities{"mean",     "gaussian", "k1",     "k2",     "normal_x",
-                                          "normal_y", "normal_z", "dir1_x", "dir1_y", "dir1_z",
-                                          "dir2_x",   "dir2_y",   "dir2_z"};
-
   CorrectedCurrentEstimator(const DigitalSet<3>& set, const EstimatorOptions& options)
       : set_(set), normals_(find_estimator("ii-covariance").variant<3>().make(set, options)) {}
 
@@ -46,8 +42,8 @@ class CorrectedCurrentEstimator final : public Estimator<3> {
     const QuadSurface surface(set_, surfels, {ball_.value + 3});
     const Current current(surface, corrected_normals(surface));
     Estimates result{
-        {kQuantities.begin(), kQuantities.end()},
-        std::vector<std::vector<double>>(kQuantities.size(), std::vector<double>(surfels.size()))};
+        {kSurfaceQuantities.begin(), kSurfaceQuantities.end()},
+        std::vector<std::vector<double>>(kSurfaceQuantities.size(), std::vector<double>(surfels.size()))};
     PerWorker<BallWalk> walks{BallWalk(surface)};
     parallel_chunks(surfels.size(), 64, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i != end; ++i) {
@@ -57,21 +53,11 @@ class CorrectedCurrentEstimator final : public Estimator<3> {
         CurvatureMeasures measures;
         walks.local()(face, radius,
                       [&](std::uint32_t other) { measures += current.in_ball(other, centre, radius); });
-        const auto [mean, gaussian, principal] = curvature_of(measures, current.normal(face));
+        auto [mean, gaussian, principal] = curvature_of(measures, current.normal(face));
         const double h = h_.value;
-        const std::array values{mean / h,
-                                gaussian / (h * h),
-                                principal.k1 / h,
-                                principal.k2 / h,
-                                principal.normal[0],
-                                principal.normal[1],
-                                principal.normal[2],
-                                principal.dir1[0],
-                                principal.dir1[1],
-                                principal.dir1[2],
-                                principal.dir2[0],
-                                principal.dir2[1],
-                                principal.dir2[2]};
+        principal.k1 /= h;
+        principal.k2 /= h;
+        const auto values = surface_values(mean / h, gaussian / (h * h), principal);
         for (std::size_t c = 0; c < values.size(); ++c) result.columns[c][i] = values[c];
       }
     });
@@ -100,7 +86,7 @@ class CorrectedCurrentEstimator final : public Estimator<3> {
 template <class Current>
 EstimatorEntry corrected_current_estimator(std::string name, std::string summary) {
   EstimatorEntry::Variant<3> variant;
-  for (const std::string quantity : CorrectedCurrentEstimator<Current>::kQuantities)
+  for (const std::string quantity : kSurfaceQuantities)
     variant.quantities.push_back({quantity, std::nullopt});
   variant.make = [](const DigitalSet<3>& set, const EstimatorOptions& options) {
     return std::make_unique<CorrectedCurrentEstimator<Current>>(set, options);

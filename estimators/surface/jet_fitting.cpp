@@ -1,4 +1,5 @@
 #include "estimators/catalogue.hpp"
+#include "estimators/integral_invariant/curvature.hpp"
 
 #ifdef GRIDSTEP_WITH_CGAL
 #include <CGAL/Monge_via_jet_fitting.h>
@@ -15,9 +16,6 @@
 namespace gridstep {
 
 namespace {
-
-constexpr std::array kQuantities{"mean",   "gaussian", "k1",     "k2",     "normal_x", "normal_y", "normal_z",
-                                 "dir1_x", "dir1_y",   "dir1_z", "dir2_x", "dir2_y",   "dir2_z"};
 
 #ifdef GRIDSTEP_WITH_CGAL
 
@@ -46,8 +44,8 @@ class JetFitting final : public Estimator<3> {
     const QuadSurface surface(set_, surfels, {radius_.value + 2});
     PerWorker<BallWalk> walks{BallWalk(surface)};
     Estimates result{
-        {kQuantities.begin(), kQuantities.end()},
-        std::vector<std::vector<double>>(kQuantities.size(), std::vector<double>(surfels.size()))};
+        {kSurfaceQuantities.begin(), kSurfaceQuantities.end()},
+        std::vector<std::vector<double>>(kSurfaceQuantities.size(), std::vector<double>(surfels.size()))};
     parallel_chunks(surfels.size(), 64, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i != end; ++i) {
         const auto values = evaluate(surface, surfels[i], walks.local());
@@ -65,8 +63,8 @@ class JetFitting final : public Estimator<3> {
   using Kernel = CGAL::Simple_cartesian<double>;
   static constexpr std::size_t kDegree = 2, kCoefficients = 6;
 
-  std::array<double, kQuantities.size()> evaluate(const QuadSurface& surface, const Surfel<3>& surfel,
-                                                  BallWalk& walk) const {
+  std::array<double, kSurfaceQuantities.size()> evaluate(const QuadSurface& surface, const Surfel<3>& surfel,
+                                                         BallWalk& walk) const {
     std::vector<Kernel::Point_3> points;  // in cells, the centre of the surfel first
     Eigen::Vector3d outwards = Eigen::Vector3d::Zero();
     const LatticePoint<3> centre = surfel.cell().coordinates;
@@ -105,7 +103,8 @@ EstimatorEntry describe_jet_fitting() {
   entry.name = "jet-fitting";
   entry.summary = "all curvatures and the normal of a polynomial fitted to surfel centres in a ball (CGAL)";
   EstimatorEntry::Variant<3>& variant = entry.in_3d.emplace();
-  for (const std::string quantity : kQuantities) variant.quantities.push_back({quantity, std::nullopt});
+  for (const std::string quantity : kSurfaceQuantities)
+    variant.quantities.push_back({quantity, std::nullopt});
   variant.evaluations = {};
   variant.centres = {};
 #ifdef GRIDSTEP_WITH_CGAL

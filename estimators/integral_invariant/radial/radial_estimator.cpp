@@ -30,8 +30,7 @@ class RadialIntegralInvariant final : public Estimator<d> {
  public:
   static std::vector<std::string> quantities() {
     if constexpr (d == 2) return {"kappa"};
-    return {"mean",   "gaussian", "k1",     "k2",     "normal_x", "normal_y", "normal_z",
-            "dir1_x", "dir1_y",   "dir1_z", "dir2_x", "dir2_y",   "dir2_z"};
+    return {kSurfaceQuantities.begin(), kSurfaceQuantities.end()};
   }
 
   RadialIntegralInvariant(const DigitalSet<d>& set, const RadialKernels& kernels,
@@ -101,10 +100,12 @@ class RadialIntegralInvariant final : public Estimator<d> {
               weights.tensor.unit() * cell * half_cell * half_cell *
               less_half(sum.tensor_second[std::size_t(pair)], whole.tensor_second[std::size_t(pair)]);
       }
-      const PrincipalCurvatures c = curvature_.in_3d(trace, edge, first, second, outwards);
-      const double k1 = c.k1 / R_.value, k2 = c.k2 / R_.value;
-      return {(k1 + k2) / 2, k1 * k2,   k1,        k2,        c.normal[0], c.normal[1], c.normal[2],
-              c.dir1[0],     c.dir1[1], c.dir1[2], c.dir2[0], c.dir2[1],   c.dir2[2]};
+      PrincipalCurvatures principal = curvature_.in_3d(trace, edge, first, second, outwards);
+      principal.k1 /= R_.value;
+      principal.k2 /= R_.value;
+      const auto values =
+          surface_values((principal.k1 + principal.k2) / 2, principal.k1 * principal.k2, principal);
+      return {values.begin(), values.end()};
     }
   }
 
