@@ -31,6 +31,8 @@ KernelCentre parse_kernel_centre(const std::string& name);
 struct EstimatorOptions {
   Evaluation evaluation = Evaluation::bricks;
   KernelCentre centre = KernelCentre::spels;
+  /// The one quantity that is wanted, none: all. An estimator may save the work for others, and then has this one alone.
+  std::string only = {};
 };
 
 }  // namespace gridstep

@@ -26,7 +26,8 @@ constexpr std::array kAttempts{Attempt{"ii-ho1", 1}, Attempt{"ii-ho1", 6 / 6.75}
 ///   Cost  that of `ii-ho1`, and of the other attempts where it does not fit.
 class GuardedHigherOrder final : public Estimator<3> {
  public:
-  GuardedHigherOrder(const DigitalSet<3>& set, const EstimatorOptions& options) : set_(set) {
+  GuardedHigherOrder(const DigitalSet<3>& set, EstimatorOptions options) : set_(set) {
+    options.only.clear();  // the guard needs the normals
     for (std::size_t i = 0; i < kAttempts.size(); ++i)
       attempts_[i] = find_estimator(kAttempts[i].estimator).variant<3>().make(set, options);
   }

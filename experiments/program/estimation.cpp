@@ -121,7 +121,8 @@ template <int d>
 void evaluate(std::vector<Estimation<d>>& estimations, const DigitalSet<d>& set,
               std::span<const Surfel<d>> surfels, GridStep h, EuclideanLength R,
               const EstimateOptions& options) {
-  const EstimatorOptions how{parse_evaluation(options.evaluation), parse_kernel_centre(options.centre)};
+  const EstimatorOptions how{parse_evaluation(options.evaluation), parse_kernel_centre(options.centre),
+                             options.quantity};
   for (Estimation<d>& e : estimations) {
     const auto estimator = e.variant->make(set, how);
     auto start = std::chrono::steady_clock::now();

@@ -28,18 +28,32 @@ RadialCurvature::RadialCurvature(const RadialKernels& kernels) {
   disc_ = over(2);
 }
 
-double RadialCurvature::in_2d(double trace, double edge) const {
-  const double first = -2 * trace / line_.trace_2;
-  // Where the set is no smooth boundary at all, a correction must not outgrow what it corrects.
-  const double most = 0.5 * std::abs(first);
-  double kappa = first, delta = 0;
+template <class Gain>
+double RadialCurvature::without_distance(const Moments& moments, double n, double trace, double edge,
+                                         Gain gain) {
+  const double first = -n * trace / moments.trace_2;
+  double curvature = first, delta = 0;
   for (int step = 0; step < kSteps; ++step) {
     const double cube = delta * delta * delta / 3;
-    delta = within_half((edge + kappa * line_.edge_2 / 2 - cube * line_.edge_slope) / line_.edge_0);
-    kappa = first - std::clamp(0.75 * delta * kappa * kappa, -most, most) +
-            2 * cube * line_.trace_slope / line_.trace_2;
+    delta = within_half((edge + curvature * moments.edge_2 / n - cube * moments.edge_slope) / moments.edge_0);
+    curvature = first - gain(first, curvature, delta) + n * cube * moments.trace_slope / moments.trace_2;
   }
-  return kappa;
+  return curvature;
+}
+
+double RadialCurvature::in_2d(double trace, double edge) const {
+  return without_distance(line_, 2, trace, edge, [](double first, double kappa, double delta) {
+    // Where the set is no smooth boundary at all, a correction must not outgrow what it corrects.
+    const double most = 0.5 * std::abs(first);
+    return std::clamp(0.75 * delta * kappa * kappa, -most, most);
+  });
+}
+
+double RadialCurvature::mean_in_3d(double trace, double edge) const {
+  return 0.5 * without_distance(disc_, 4, trace, edge, [](double first, double t, double delta) {
+           const double most = 0.5 * std::abs(first);
+           return std::clamp(0.5 * delta * t * t, -most, most);
+         });
 }
 
 PrincipalCurvatures RadialCurvature::in_3d(double trace, double edge, const Eigen::Vector3d& edge_first,
@@ -56,18 +70,14 @@ PrincipalCurvatures RadialCurvature::in_3d(double trace, double edge, const Eige
   result.dir1 = std::cos(angle) * u + std::sin(angle) * v;
   result.dir2 = result.normal.cross(result.dir1);
 
-  const double first_t = -4 * trace / disc_.trace_2, first_s = std::hypot(across, along);
-  const double most = 0.5 * std::abs(first_t) + 0.2 * first_s;
-  double t = first_t, s = first_s, delta = 0;
-  for (int step = 0; step < kSteps; ++step) {
-    const double cube = delta * delta * delta / 3;
-    delta = within_half((edge + t * disc_.edge_2 / 4 - cube * disc_.edge_slope) / disc_.edge_0);
-    const double squares = t * t / 2 + 2 * s * s;  // k1^2 + k2^2
-    const double factor = std::clamp(1 + 1.5 * delta * t, 0.5, 2.0);
-    t = first_t - std::clamp(delta * (2 * squares + t * t) / 4, -most, most) +
-        4 * cube * disc_.trace_slope / disc_.trace_2;
-    s = first_s / factor;
-  }
+  const double first_s = std::hypot(across, along);
+  double s = first_s;
+  const double t = without_distance(disc_, 4, trace, edge, [&](double first, double sum, double delta) {
+    const double most = 0.5 * std::abs(first) + 0.2 * first_s;
+    const double squares = sum * sum / 2 + 2 * s * s;  // k1^2 + k2^2
+    s = first_s / std::clamp(1 + 1.5 * delta * sum, 0.5, 2.0);
+    return std::clamp(delta * (2 * squares + sum * sum) / 4, -most, most);
+  });
   result.k1 = t / 2 + s;
   result.k2 = t / 2 - s;
   return result;

@@ -29,10 +29,18 @@ class RadialCurvature {
   PrincipalCurvatures in_3d(double trace, double edge, const Eigen::Vector3d& edge_first,
                             const Eigen::Matrix3d& tensor, const Eigen::Vector3d& fallback_normal) const;
 
+  /// 3D, (k1 + k2) / 2 from two integrals alone: s is taken for zero, which leaves delta s^2 in the result.
+  double mean_in_3d(double trace, double edge) const;
+
  private:
   struct Moments {
     double trace_2, trace_slope, edge_0, edge_2, edge_slope, tensor_4;
   };
+  /// What the trace kernel sees, -M_2 / n times the curvature, without the distance delta that the edge kernel sees. `gain`
+  /// is what delta adds to second order: gain(curvature to first order, curvature so far, delta).
+  template <class Gain>
+  static double without_distance(const Moments& moments, double n, double trace, double edge, Gain gain);
+
   Moments line_, disc_;
 };
 

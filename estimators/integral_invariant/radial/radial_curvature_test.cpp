@@ -88,6 +88,21 @@ TEST(RadialCurvature3D, IsExactOnBallsThroughTheCentre) {
     }
 }
 
+TEST(RadialCurvature3D, HasTheMeanAloneButForTheDifferenceOfTheCurvatures) {
+  for (const int vanishing : {1, 2})
+    for (const double delta : {-0.04, 0.0, 0.04})
+      for (const double s : {0.0, 0.2}) {
+        const RadialKernels k = kernels(3, vanishing);
+        const double trace = in_ball(k.trace, 0.2, delta), edge = in_ball(k.edge, 0.2, delta);
+        // A tensor with no more than a deviator, that of principal curvatures 2 s apart.
+        const double across = -s * k.tensor.moment(2, 4) / 8;
+        const Eigen::Matrix3d tensor = Eigen::Vector3d(across, -across, 0).asDiagonal();
+        const auto c = RadialCurvature(k).in_3d(trace, edge, {0, 0, -1}, tensor, {1, 0, 0});
+        const double mean = RadialCurvature(k).mean_in_3d(trace, edge);
+        EXPECT_NEAR(mean - (c.k1 + c.k2) / 2, delta * s * s / 2, 0.2 * std::abs(delta) * s * s / 2 + 1e-12);
+      }
+}
+
 TEST(RadialCurvature3D, FollowsABallThatIsOffTheCentre) {
   // Without a correction, kappa gains kappa^2 delta, and delta^3 a constant of the kernel.
   for (const int vanishing : {1, 2})

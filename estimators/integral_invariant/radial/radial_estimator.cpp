@@ -35,7 +35,9 @@ class RadialIntegralInvariant final : public Estimator<d> {
 
   RadialIntegralInvariant(const DigitalSet<d>& set, const RadialKernels& kernels,
                           const EstimatorOptions& options)
-      : sums_(set, kernels, options.evaluation), curvature_(kernels) {}
+      : mean_alone_(d == 3 && options.only == "mean"),
+        sums_(set, kernels, options.evaluation, !mean_alone_),
+        curvature_(kernels) {}
 
   void init(GridStep h, EuclideanLength R) override {
     R_ = R;
@@ -49,11 +51,12 @@ class RadialIntegralInvariant final : public Estimator<d> {
       const std::size_t columns = names.size();
       return Estimates{std::move(names), {columns, std::vector<double>(surfels.size())}};
     };
-    Estimates result = table(quantities());
+    Estimates result = table(mean_alone_ ? std::vector<std::string>{"mean"} : quantities());
     raw_ = table(raw_names());
     for (std::size_t i = 0; i < surfels.size(); ++i) {
       const auto fill = [i](Estimates& estimates, const auto& values) {
-        for (std::size_t c = 0; c < values.size(); ++c) estimates.columns[c][i] = double(values[c]);
+        for (std::size_t c = 0; c < estimates.columns.size(); ++c)
+          estimates.columns[c][i] = double(values[c]);
       };
       fill(raw_, raw_of(sums[i]));
       fill(result, values_of(sums[i], surfels[i]));
@@ -65,8 +68,8 @@ class RadialIntegralInvariant final : public Estimator<d> {
   EstimatorWork work() const override { return sums_.work(); }
 
  private:
-  static std::vector<std::string> raw_names() {
-    if constexpr (d == 2) return {"trace_sum", "edge_sum"};
+  std::vector<std::string> raw_names() const {
+    if (d == 2 || mean_alone_) return {"trace_sum", "edge_sum"};
     return {"trace_sum", "edge_sum",  "edge_x",    "edge_y",    "edge_z",   "tensor_xx",
             "tensor_xy", "tensor_xz", "tensor_yy", "tensor_yz", "tensor_zz"};
   }
@@ -90,6 +93,7 @@ class RadialIntegralInvariant final : public Estimator<d> {
     if constexpr (d == 2) {
       return {curvature_.in_2d(trace, edge) / R_.value};
     } else {
+      if (mean_alone_) return {curvature_.mean_in_3d(trace, edge) / R_.value};
       Eigen::Vector3d first, outwards = Eigen::Vector3d::Zero();
       outwards[surfel.axis] = surfel.sign;
       Eigen::Matrix3d second;
@@ -109,6 +113,7 @@ class RadialIntegralInvariant final : public Estimator<d> {
     }
   }
 
+  bool mean_alone_;
   RadialSums<d> sums_;
   RadialCurvature curvature_;
   EuclideanLength R_{};
@@ -123,9 +128,10 @@ EstimatorEntry::Variant<d> variant(int vanishing, double usual_k) {
   result.evaluations = {Evaluation::full,
                         Evaluation::bricks};  // a displacement mask would be as large as the kernel
   result.centres = {KernelCentre::surfel};
-  // Prefix sums of the 11 components and weights, or 2 of rows, for surfels orthogonal to each axis.
+  // FluxTables, or prefix sums of rows, for surfels orthogonal to each axis.
   result.table_memory = [](DigitalLength radius) {
-    return d == 2 ? 2 * 16 * std::pow(2 * radius.value + 4, 2) : 3 * 104 * std::pow(2 * radius.value + 20, 3);
+    const double lines = 2 * radius.value + 5;
+    return d == 2 ? 2 * 16 * lines * lines : 3 * sizeof(WholeFlux) * lines * lines * (2 * radius.value + 33);
   };
   for (const std::string& quantity : RadialIntegralInvariant<d>::quantities())
     result.quantities.push_back({quantity, std::nullopt});

@@ -80,11 +80,17 @@ void RadialSums<d>::init(GridStep h, EuclideanLength R) {
     work_.kernel_size = std::int64_t(points.size());
     Kernel<d, RadialTriple> kernel = weighted<d>(*weights_, points, axis);
     Ball ball{sum_over<d>(kernel, axis), {}, {}};
-    if (evaluation_ == Evaluation::bricks)
-      ball.fast.emplace(*weights_, radius, axis);
-    else
+    if (evaluation_ != Evaluation::bricks)
       ball.kernel = std::move(kernel);
+    else if (d == 2)
+      ball.rows.emplace(*weights_, radius, axis);
     balls_.push_back(std::move(ball));
+  }
+  if (d == 3 && evaluation_ == Evaluation::bricks) {
+    if (tensor_)
+      bricks_.template emplace<RadialBricks<WholeFlux>>(*weights_, radius);
+    else
+      bricks_.template emplace<RadialBricks<CurvatureFlux>>(*weights_, radius);
   }
 }
 
@@ -93,9 +99,9 @@ std::vector<RadialSum> RadialSums<d>::sums_at(int axis, std::span<const LatticeP
                                               EvaluationWork& work) {
   const Ball& ball = balls_[std::size_t(axis)];
   if constexpr (d == 2) {
-    if (ball.fast) {
+    if (ball.rows) {
       if (!rows_) rows_.emplace(set_);
-      return ball.fast->eval(*rows_, points, &work);
+      return ball.rows->eval(*rows_, points, &work);
     }
   }
   std::vector<RadialSum> result;
@@ -109,19 +115,6 @@ std::vector<RadialSum> RadialSums<d>::sums_at(int axis, std::span<const LatticeP
 template <int d>
 void RadialSums<d>::eval_along(int axis, std::span<const Surfel<d>> surfels, std::span<RadialSum> result,
                                EvaluationWork& work) {
-  if constexpr (d == 3) {
-    if (const auto& fast = balls_[std::size_t(axis)].fast) {
-      bricks::SpelsByBrick<3> spels;
-      bricks::SpelsByBrick<3>::Memo memo;
-      for (const Surfel<3>& surfel : surfels)
-        if (surfel.axis == axis) spels.insert(lower_spel(surfel), memo);
-      spels.number();
-      const std::vector<RadialSum> sums = fast->eval(set_, spels, &work);
-      for (std::size_t i = 0; i < surfels.size(); ++i)
-        if (surfels[i].axis == axis) result[i] = sums[spels.position(lower_spel(surfels[i]), memo)];
-      return;
-    }
-  }
   std::vector<LatticePoint<d>> spels;
   for (const Surfel<d>& surfel : surfels)
     if (surfel.axis == axis) spels.push_back(lower_spel(surfel));
@@ -135,8 +128,16 @@ template <int d>
 std::vector<RadialSum> RadialSums<d>::eval(std::span<const Surfel<d>> surfels) {
   expects(!balls_.empty(), "init() before eval()");
   EvaluationWork work;
-  std::vector<RadialSum> result(surfels.size());
-  for (int axis = 0; axis < d; ++axis) eval_along(axis, surfels, result, work);
+  std::vector<RadialSum> result;
+  const auto by_bricks = [&](const auto& bricks) {
+    if constexpr (d == 3 && !std::is_same_v<decltype(bricks), const std::monostate&>)
+      result = bricks.eval(set_, surfels, work);
+  };
+  std::visit(by_bricks, bricks_);
+  if (bricks_.index() == 0) {
+    result.resize(surfels.size());
+    for (int axis = 0; axis < d; ++axis) eval_along(axis, surfels, result, work);
+  }
   work_.evaluations = work.points;
   work_.cells_visited = work.cells_visited;
   work_.restarts = work.restarts;

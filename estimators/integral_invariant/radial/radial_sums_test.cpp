@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
-#include "estimators/integral_invariant/bricks/targets.hpp"
 #include "estimators/testing_sets.hpp"
 #include "shapes/digital/boundary.hpp"
 
@@ -42,11 +41,7 @@ void expect_bricks_equal_full(const std::vector<double>& radii) {
     for (const double radius : radii) {
       const auto expected = sums<d>(set, radius, Evaluation::full);
       ASSERT_FALSE(expected.empty());
-      for (const auto& target : bricks::targets()) {
-        bricks::use_target(target.name);
-        EXPECT_TRUE(sums<d>(set, radius, Evaluation::bricks) == expected) << radius << " " << target.name;
-      }
-      bricks::use_target(bricks::targets().front().name);
+      EXPECT_TRUE(sums<d>(set, radius, Evaluation::bricks) == expected) << radius;
     }
 }
 
@@ -63,6 +58,18 @@ TEST(RadialSums, DoNotDependOnTheNumberOfThreads) {
   const auto expected = sums<3>(set, 11.5, Evaluation::bricks);
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
   EXPECT_TRUE(sums<3>(set, 11.5, Evaluation::bricks) == expected);
+}
+
+TEST(RadialSums, AreTheSameWithoutATensor) {
+  for (const auto& set : sets<3>()) {
+    const auto expected = sums<3>(set, 6.5, Evaluation::full);
+    RadialSums<3> radial(set, kernels(3), Evaluation::bricks, false);
+    radial.init({1}, {6.5});
+    const auto surfels = boundary(set);
+    const auto own = radial.eval(surfels);
+    for (std::size_t i = 0; i < own.size(); ++i)
+      ASSERT_TRUE(own[i] == (RadialSum{expected[i].trace, expected[i].edge, {}, {}})) << i;
+  }
 }
 
 TEST(RadialSums, OfAHalfSpaceAreHalfOfTheWhole) {
@@ -83,7 +90,7 @@ TEST(RadialSums, OfAHalfSpaceAreHalfOfTheWhole) {
 TEST(RadialSums, RefuseARadiusWithoutTables) {
   const auto set = ball_set<3>(4);
   EXPECT_THROW(sums<3>(set, 0.9, Evaluation::bricks), InputError);
-  EXPECT_THROW(sums<3>(set, RadialBricks::kGreatestRadius + 1, Evaluation::bricks), InputError);
+  EXPECT_THROW(sums<3>(set, RadialBricks<WholeFlux>::kGreatestRadius + 1, Evaluation::bricks), InputError);
 }
 
 TEST(RadialWeight, IsRoundedByHalfAUnitAtMost) {
