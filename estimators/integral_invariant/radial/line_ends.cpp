@@ -27,13 +27,12 @@ void Ends::reset(std::size_t lines) {
 }
 
 void Ends::sort() {
-  for (const End& end : unsorted_) ++begin_[end.line];
+  for (const Unsorted& one : unsorted_) ++begin_[one.line];
   std::uint32_t total = 0;
   for (std::uint32_t& begin : begin_) begin = total += begin;
-  places_.resize(unsorted_.size());
+  ends_.resize(unsorted_.size() + kAhead);
   // From behind, so that each line's count ends up as its beginning.
-  for (auto end = unsorted_.rbegin(); end != unsorted_.rend(); ++end)
-    places_[--begin_[end->line]] = end->place;
+  for (auto one = unsorted_.rbegin(); one != unsorted_.rend(); ++one) ends_[--begin_[one->line]] = one->end;
 }
 
 void LineEnds::build(const DigitalSet<3>& set, const LatticePoint<3>& source, int reach) {
@@ -54,8 +53,8 @@ void LineEnds::build(const DigitalSet<3>& set, const LatticePoint<3>& source, in
     for (std::size_t y = 0; y < n; ++y) {
       if ((face_[z * n + y] != 0) == inside) continue;
       inside = !inside;
-      (inside ? face_enters : face_leaves)
-          .add(z, std::int32_t(y) + first() + stride_ * (std::int32_t(z) + first()));
+      const int place = int(y) + first(), line = int(z) + first();
+      (inside ? face_enters : face_leaves).add(z, {place + face_stride_ * line, line});
     }
     // Nothing of a ball is on the last line, nor beyond it.
   }
@@ -84,9 +83,10 @@ void LineEnds::add_row(const DigitalSet<3>& set, const LatticePoint<3>& source, 
       const std::uint64_t before = ((bits << 1) & ~kFirstOfLines) | inside[slice];
       const auto add = [&](Ends& ends, std::uint64_t places) {
         for_each_bit_of(places, [&](int bit) {
-          const std::size_t line = std::size_t(bit / 8);
-          ends.add(corner + slice * n + line, 8 * x + bit % 8 + stride_ * (8 * y + std::int32_t(line)) +
-                                                  stride_z_ * (8 * z + std::int32_t(slice)));
+          const int line = 8 * y + bit / 8;
+          ends.add(corner + slice * n + std::size_t(bit / 8),
+                   {strides_[0] * (8 * x + bit % 8) + strides_[1] * line + strides_[2] * (8 * z + int(slice)),
+                    line});
         });
       };
       add(enters, bits & ~before);

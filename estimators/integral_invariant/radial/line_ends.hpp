@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -8,28 +9,37 @@
 
 namespace gridstep {
 
-/// Places on lines, line by line.
+/// Where a line enters a set, or leaves it.
+struct End {
+  std::int32_t place;  ///< of the first point after
+  std::int32_t line;   ///< coordinate of the line: y of a line along x, z of one along y
+};
+
+/// Ends of lines, line by line.
 class Ends {
  public:
+  /// So many more may be read behind those of any line.
+  static constexpr std::size_t kAhead = 16;
+
   /// Empties it, for that many lines.
   void reset(std::size_t lines);
-  void add(std::size_t line, std::int32_t place) { unsorted_.push_back({std::uint32_t(line), place}); }
+  void add(std::size_t line, const End& end) { unsorted_.push_back({std::uint32_t(line), end}); }
   /// To be called between the last add() and the first on().
   void sort();
 
   /// Those on the lines from `first` on, `last` excluded.
-  std::span<const std::int32_t> on(std::size_t first, std::size_t last) const {
-    return {places_.data() + begin_[first], places_.data() + begin_[last]};
+  std::span<const End> on(std::size_t first, std::size_t last) const {
+    return {ends_.data() + begin_[first], ends_.data() + begin_[last]};
   }
 
  private:
-  struct End {
-    std::uint32_t line;
-    std::int32_t place;
+  struct Unsorted {
+    std::uint32_t line;  // its number
+    End end;
   };
-  std::vector<End> unsorted_;
+  std::vector<Unsorted> unsorted_;
   std::vector<std::uint32_t> begin_;  // of each line, and the end
-  std::vector<std::int32_t> places_;
+  std::vector<End> ends_;
 };
 
 /// The part of a digital set in the bricks around a source brick, as the places where its lines along x, from low to high,
@@ -37,10 +47,10 @@ class Ends {
 /// the face where they begin is a set of the plane, whose lines along y enter and leave it in turn.
 class LineEnds {
  public:
-  /// The window has `most` bricks on each side of the source brick. A place is a point (x, y, z) relative to the source
-  /// brick's origin, as x + stride (y + stride_z z); on the face, (y, z) as y + stride z.
-  LineEnds(int most, std::int32_t stride, std::int32_t stride_z)
-      : most_(most), stride_(stride), stride_z_(stride_z) {}
+  /// The window has `most` bricks on each side of the source brick. A place is a point relative to the source brick's
+  /// origin, times strides; on the face, y + face_stride z.
+  LineEnds(int most, const std::array<std::int32_t, 3>& strides, std::int32_t face_stride)
+      : most_(most), strides_(strides), face_stride_(face_stride) {}
 
   /// Cost: the bricks of the window, and the surfels in it. Leaves out brick rows further than `reach` points from all
   /// of the source brick.
@@ -51,14 +61,15 @@ class LineEnds {
   int first() const { return -8 * most_; }
 
   Ends enters,
-      leaves;  ///< by line (y, z), number (y - first) + lines (z - first); a place is the first point after
+      leaves;                     ///< by line (y, z), number (y - first) + lines (z - first)
   Ends face_enters, face_leaves;  ///< by line z, number z - first
 
  private:
   void add_row(const DigitalSet<3>& set, const LatticePoint<3>& source, int y, int z);
 
   int most_;
-  std::int32_t stride_, stride_z_;
+  std::array<std::int32_t, 3> strides_;
+  std::int32_t face_stride_;
   std::vector<std::uint8_t> face_;  // by line (y, z)
 };
 

@@ -13,14 +13,6 @@ namespace gridstep {
 
 namespace {
 
-RadialSum to_radial_sum(const CurvatureFlux& flux) {
-  return {flux.of[0], flux.of[1], {}, {}};
-}
-RadialSum to_radial_sum(const WholeFlux& flux) {
-  const auto& of = flux.of;
-  return {of[0], of[1], {of[2], of[3], of[4]}, {of[5], of[6], of[7], of[8], of[9], of[10]}};
-}
-
 /// Surfels whose lower spel is in one brick.
 struct Source {
   LatticePoint<3> brick;
@@ -58,32 +50,42 @@ class Sources {
   std::vector<Source> sources_;
 };
 
-/// What the places are worth to a spel whose own entry is `origin`: those that enter less those that leave.
-template <class Flux>
-void add(Flux& sum, const Flux* origin, std::span<const std::int32_t> enters,
-         std::span<const std::int32_t> leaves) {
-  for (const std::int32_t place : enters) sum += origin[place];
-  for (const std::int32_t place : leaves) sum -= origin[place];
+/// Lines whose entries lie far from each other: those of the lines to come are asked for ahead.
+template <int sign, class Slice, class Flux>
+void add_lines(Slice& slice, const Flux* origin, std::span<const End> ends, std::int64_t base) {
+  for (const End& end : ends) {
+    __builtin_prefetch(origin + (&end + Ends::kAhead)->place);
+    slice.template add<sign>(origin[end.place], 2 * std::int64_t{end.line} - base);
+  }
 }
 
-/// For the surfel orthogonal to the tables' axis above the spel at `p` of the source brick.
+/// The sum around the surfel orthogonal to the tables' axis above the spel at `p` of the source brick.
 template <class Flux>
-Flux flux(const FluxTables<Flux>& tables, const LineEnds& ends, const LatticePoint<3>& p,
-          std::int64_t& visited) {
-  Flux sum;
-  const Flux* const origin = tables.line_ends() - (p[0] + p[1] * tables.stride() + p[2] * tables.stride_z());
-  const Flux* const face = tables.face_ends() - (p[1] + p[2] * tables.stride());
+RadialSum sum_at(const FluxTables<Flux>& tables, const LineEnds& ends, const LatticePoint<3>& p,
+                 std::int64_t& visited) {
+  RadialSum sum;
+  const auto& strides = tables.strides();
+  const Flux* const origin = tables.line_ends() - (strides[0] * p[0] + strides[1] * p[1] + strides[2] * p[2]);
+  const RadialSum* const face = tables.face_ends() - (p[1] + p[2] * tables.face_stride());
+  const std::int64_t base = 2 * std::int64_t{p[1]} + (tables.half_axis() == 1);
+  const auto coordinate = [&](int k, int offset) {
+    return 2 * std::int64_t{offset} - (k == tables.half_axis());
+  };
   for (int z = -tables.reach(); z <= tables.reach(); ++z) {
     const auto& [low, high] = tables.lines(z);
     if (high < low) continue;
     const auto row = std::size_t(z + p[2] - ends.first());
     const std::size_t line = row * std::size_t(ends.lines()) + std::size_t(p[1] - ends.first());
     const auto first = line + std::size_t(low), last = line + std::size_t(high) + 1;
+    typename Flux::Slice slice;
     const auto enters = ends.enters.on(first, last), leaves = ends.leaves.on(first, last);
-    add(sum, origin, enters, leaves);
+    add_lines<1>(slice, origin, enters, base);
+    add_lines<-1>(slice, origin, leaves, base);
+    sum += slice.at(coordinate(2, z));
     const auto face_enters = ends.face_enters.on(row, row + 1),
                face_leaves = ends.face_leaves.on(row, row + 1);
-    add(sum, face, face_enters, face_leaves);
+    for (const End& end : face_enters) sum += face[end.place];
+    for (const End& end : face_leaves) sum -= face[end.place];
     visited += std::int64_t(enters.size() + leaves.size() + face_enters.size() + face_leaves.size());
   }
   return sum;
@@ -112,7 +114,7 @@ std::vector<RadialSum> RadialBricks<Flux>::eval(const DigitalSet<3>& set, std::s
     std::int64_t visited = 0;
   };
   const auto& shape = tables_.front();
-  PerWorker<Scratch> scratches(Scratch{LineEnds(shape.most(), shape.stride(), shape.stride_z())});
+  PerWorker<Scratch> scratches(Scratch{LineEnds(shape.most(), shape.strides(), shape.face_stride())});
   std::vector<RadialSum> result(surfels.size());
   const Sources sources(surfels);
   constexpr std::size_t kGrain = 4;
@@ -124,8 +126,7 @@ std::vector<RadialSum> RadialBricks<Flux>::eval(const DigitalSet<3>& set, std::s
       for (const std::size_t number : source.surfels) {
         const Surfel<3>& surfel = surfels[number];
         const LatticePoint<3> p = lower_spel(surfel) - Brick<3>::origin(source.brick);
-        result[number] =
-            to_radial_sum(flux(tables_[std::size_t(surfel.axis)], scratch.ends, p, scratch.visited));
+        result[number] = sum_at(tables_[std::size_t(surfel.axis)], scratch.ends, p, scratch.visited);
       }
     }
   });
