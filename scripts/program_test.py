@@ -4,6 +4,7 @@
     scripts/program_test.py PATH_OF_GRIDSTEP [unittest options]
 """
 
+import base64
 import csv
 import io
 import json
@@ -11,6 +12,7 @@ import math
 import os
 import re
 import signal
+import struct
 import subprocess
 import sys
 import tempfile
@@ -668,6 +670,12 @@ def has_page():
         return "written: out/report.html" in run("study", "small.json", "--out", "out", folder=folder).stdout
 
 
+def page_data(path):
+    """The data in a page, and the elements of its surfaces."""
+    elements = re.findall(r'<script type="application/json" id="(.+?)">(.+?)</script>', path.read_text())
+    return {name: json.loads(data) for name, data in elements}
+
+
 class Study(InFolder):
     def results(self):
         return sorted(["records.jsonl", "summary.json"] + ["report.html"] * has_page())
@@ -767,7 +775,8 @@ class LevelOfDetail(WithVolume):
     def test_files_and_table(self):
         result = self.must_work(*self.study, "--radii", "4,2.5", "--csv", "--latex")
         surfaces = ["radius-2.5.ply", "radius-2.5.vtp", "radius-4.ply", "radius-4.vtp"]
-        self.assertEqual(sorted(os.listdir(self.folder / "out")), ["detail.csv", "detail.tex", *surfaces, "summary.json"])
+        names = ["detail.csv", "detail.tex", *surfaces, *["report.html"] * has_page(), "summary.json"]
+        self.assertEqual(sorted(os.listdir(self.folder / "out")), names)
         summary = json.loads((self.folder / "out/summary.json").read_text())
         detail = summary["detail"]
         self.assertEqual(summary["study"]["detail"], {"volume": "ball.vol", "digital_radii": [4, 2.5], "estimator": "ii-covariance"})
@@ -789,9 +798,85 @@ class LevelOfDetail(WithVolume):
             rows = list(csv.DictReader(file))
         self.assertEqual([(r["quantity"], r["R/h"]) for r in rows][:3], [("mean", "4"), ("mean", "2.5"), ("gaussian", "4")])
         self.assertIn("written: out/radius-2.5.vtp", result.stdout)
-        self.must_fail(["report", "out"], "out/summary.json", "no page", "scripts/figures")
+        self.assertEqual(result.stdout.count("report.html"), 1, "that it is written, or that it is not")
         again = self.must_work(*self.study, "--radii", "4,2.5", "--json").stdout
         self.assertEqual(json.loads(again), json.loads((self.folder / "out/summary.json").read_text()))
+
+    def test_report(self):
+        self.must_work(*self.study, "--radii", "4,2.5")
+        summary = json.loads((self.folder / "out/summary.json").read_text())
+        page = self.folder / "out/report.html"
+        if not page.exists():
+            self.must_fail(["report", "out"], "report.html", "without Node")
+            self.skipTest("built without Node")
+        of_study = page.read_bytes()
+        page.unlink()
+        (self.folder / "ball.vol").unlink()
+        self.assertEqual(self.must_work("report", "out").stdout, "written: out/report.html\n")
+        self.assertEqual(page.read_bytes(), of_study, "from the files in the folder alone")
+        data = page_data(page)
+        (study,) = data["report-data"]["studies"]
+        self.assertEqual(study["detail"], summary["detail"])
+        (surface,) = study["surfaces"]
+        self.assertEqual(surface["surfels"], summary["detail"]["surfels"])
+        self.assertEqual([e["digital_radius"] for e in surface["estimators"]], [4, 2.5])
+        self.assertEqual(data["surface-0"]["truth"], {})
+        for of_radius, level in zip(data["surface-0"]["estimates"], summary["detail"]["levels"]):
+            for quantity, text in of_radius.items():
+                values = sorted(struct.unpack(f"<{surface['surfels']}f", base64.b64decode(text)))
+                spread = level["quantities"][quantity]
+                for shown, exact in [(values[0], spread["quantiles"][0]), (values[-1], spread["quantiles"][-1])]:
+                    self.assertAlmostEqual(shown, exact, delta=1e-6 * abs(exact))
+
+        self.write_study(STUDY)
+        self.must_work("study", "small.json", "--out", "curves")
+        self.must_work("report", "curves", "out", "--out", "both.html")
+        both = page_data(self.folder / "both.html")["report-data"]["studies"]
+        self.assertEqual(["detail" in study for study in both], [False, True])
+
+    def test_a_surface_that_is_not_that_of_its_summary_is_left_out(self):
+        self.must_work(*self.study, "--radii", "4,2.5")
+        if not (self.folder / "out/report.html").exists():
+            self.skipTest("built without Node")
+        ply, summary = self.folder / "out/radius-4.ply", self.folder / "out/summary.json"
+        whole, told = ply.read_text(), summary.read_text()
+        for path, text, reason in [
+            (ply, whole[: len(whole) // 2], "truncated"),
+            (ply, whole.replace("element vertex ", "element vertex x"), "line 3"),
+            (ply, whole.replace("property double mean", "property double kappa"), "values of 3 quantities"),
+            (ply, re.sub(r"(?m)^(4 \d+ \d+ \d+ \d+ 0) \S+", r"\1 7", whole, count=1), "the values of mean"),
+            (summary, re.sub(r'"surfels": \d+', '"surfels": 200001', told), "200001 surfels, more than the 200000"),
+        ]:
+            with self.subTest(reason=reason):
+                before = path.read_text()
+                self.assertNotEqual(text, before)
+                path.write_text(text)
+                said = self.must_work("report", "out").stdout
+                path.write_text(before)
+                self.assertEqual(said.splitlines()[0], "written: out/report.html")
+                self.assertIn(reason, said.splitlines()[1])
+                (study,) = page_data(self.folder / "out/report.html")["report-data"]["studies"]
+                self.assertEqual(study["surfaces"], [])
+                self.assertIn(reason, study["surfaces_left_out"][0])
+        ply.unlink()
+        self.assertIn("radius-4.ply: not found", self.must_work("report", "out").stdout)
+
+    def test_a_wrong_summary_is_refused(self):
+        self.must_work(*self.study, "--radii", "4,2.5")
+        path = self.folder / "out/summary.json"
+        told = path.read_text()
+        for change, named in [
+            (lambda d: d.pop("input"), ["out/summary.json", "detail", "'input' is missing"]),
+            (lambda d: d.update(levels=[]), ["detail", "levels"]),
+            (lambda d: d["levels"][1].update(radius="wide"), ["levels[1]", 'radius = "wide"']),
+            (lambda d: d["levels"][1]["quantities"].pop("mean"), ["levels[1]", "quantities"]),
+            (lambda d: d["levels"][0]["quantities"]["mean"]["quantiles"].pop(), ["levels[0]", "mean", "quantiles"]),
+        ]:
+            with self.subTest(named=named):
+                summary = json.loads(told)
+                change(summary["detail"])
+                path.write_text(json.dumps(summary))
+                self.must_fail(["report", "out"], *named)
 
     def test_a_file_and_a_shape(self):
         path = self.write_study({"name": "mine", "detail": {"shape": "sphere:radius=3", "h": 0.5, "digital_radii": [3]}})
@@ -846,10 +931,7 @@ class Report(InFolder):
         self.must_work("study", "small.json", "--out", "a")
 
     def page(self, path):
-        """The data in a page, and the elements of its surfaces."""
-        text = (self.folder / path).read_text()
-        elements = re.findall(r'<script type="application/json" id="(.+?)">(.+?)</script>', text)
-        return {name: json.loads(data) for name, data in elements}
+        return page_data(self.folder / path)
 
     def test_what_is_in_it(self):
         if not (self.folder / "a/report.html").exists():

@@ -20,7 +20,11 @@ void add_estimate_command(CLI::App& program);
 void add_convert_command(CLI::App& program);
 void add_report_command(CLI::App& program);
 
-/// The report of the results in some folders, whole or not at all.
-void write_report(const std::vector<std::string>& folders, const std::filesystem::path& file);
+/// The report of the results in some folders, whole or not at all. @returns the lines to say: that it is written, and
+/// what it leaves out.
+std::string write_report(const std::vector<std::string>& folders, const std::filesystem::path& file);
+
+/// That of one folder, in it; where this program has no page, the line says so.
+std::string write_report_of(const std::filesystem::path& folder);
 
 }  // namespace gridstep

@@ -9,10 +9,19 @@
 
 namespace gridstep {
 
-void write_report(const std::vector<std::string>& folders, const std::filesystem::path& file) {
+std::string write_report(const std::vector<std::string>& folders, const std::filesystem::path& file) {
   std::vector<ResultsFolder> results;
   for (const std::string& folder : folders) results.push_back(read_results(folder));
-  write_whole(file, report_page(results));
+  const ReportPage page = report_page(results);
+  write_whole(file, page.html);
+  std::string lines = fmt::format("written: {}\n", file.string());
+  for (const std::string& surface : page.left_out) lines += fmt::format("left out of it: {}\n", surface);
+  return lines;
+}
+
+std::string write_report_of(const std::filesystem::path& folder) {
+  if (page_template().empty()) return "not written: report.html, as this gridstep was built without Node\n";
+  return write_report({folder.string()}, folder / "report.html");
 }
 
 void add_report_command(CLI::App& program) {
@@ -35,8 +44,7 @@ void add_report_command(CLI::App& program) {
                                                 ? std::filesystem::path(options->folders[0]) / "report.html"
                                                 : "report.html";
     const std::filesystem::path file = options->out.empty() ? in_folder : std::filesystem::path(options->out);
-    write_report(options->folders, file);
-    say(stdout, "written: {}\n", file.string());
+    say_text(stdout, write_report(options->folders, file));
   });
 }
 

@@ -17,7 +17,6 @@
 #include "experiments/program/commands.hpp"
 #include "experiments/program/say.hpp"
 #include "experiments/program/study_options.hpp"
-#include "experiments/report/page.hpp"
 #include "experiments/runner.hpp"
 #include "experiments/work_precision.hpp"
 #include "shapes/base/contracts.hpp"
@@ -100,8 +99,7 @@ void run(const StudyOptions& options) {
     if (options.latex) write_whole(folder / (name + ".tex"), to_latex(table));
   }
   fs::remove(journal, ignored);
-  const bool has_page = !page_template().empty();
-  if (has_page) write_report({folder.string()}, folder / "report.html");
+  const std::string on_report = write_report_of(folder);
 
   if (options.json) return fmt::print("{}\n", summary.dump(1));
   std::int64_t surfels = 0, most_surfels = 0, singular = 0, far = 0;
@@ -124,10 +122,7 @@ void run(const StudyOptions& options) {
   say(stdout, "{}\n{} in the largest digitization\n", line, memory_report(predicted, most_surfels));
   say(stdout, "written: {}\n", (folder / "records.jsonl").string());
   say(stdout, "written: {}\n", (folder / "summary.json").string());
-  if (has_page)
-    say(stdout, "written: {}\n", (folder / "report.html").string());
-  else
-    say(stdout, "not written: report.html, as this gridstep was built without Node\n");
+  say_text(stdout, on_report);
 }
 
 }  // namespace

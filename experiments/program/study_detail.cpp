@@ -9,6 +9,7 @@
 #include "experiments/detail_study.hpp"
 #include "experiments/distribution.hpp"
 #include "experiments/memory.hpp"
+#include "experiments/program/commands.hpp"
 #include "experiments/program/estimation.hpp"
 #include "experiments/program/say.hpp"
 #include "experiments/program/study_options.hpp"
@@ -134,12 +135,14 @@ void run_detail_study(const nlohmann::json& json, const StudyOptions& options, c
   const Table table = table_of(levels);
   if (options.csv) write_whole(folder / "detail.csv", to_csv(table));
   if (options.latex) write_whole(folder / "detail.tex", to_latex(table));
+  const std::string on_report = write_report_of(folder);
 
   if (options.json) return fmt::print("{}\n", summary.dump(1));
   say_table(stdout, table);
   say(stdout, "{}: {} at h = {}, {} surfels, components {}, {}\n", study.name, input.name, input.h.value,
       surface.surfels.size(), surface.components(), study.estimator);
   for (const fs::path& file : written) say(stdout, "written: {}\n", file.string());
+  say_text(stdout, on_report);
 }
 
 }  // namespace gridstep

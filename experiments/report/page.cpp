@@ -25,7 +25,7 @@ std::string data_element(const std::string& id, const ordered_json& data) {
 
 }  // namespace
 
-std::string report_page(const std::vector<ResultsFolder>& results) {
+ReportPage report_page(const std::vector<ResultsFolder>& results) {
   const std::string_view page = page_template();
   if (page.empty())
     throw InputError("report.html: this gridstep was built without Node, and so without the page");
@@ -33,12 +33,14 @@ std::string report_page(const std::vector<ResultsFolder>& results) {
   expects(place != page.npos, "a place for the data in the page");
 
   std::string surfaces;
+  std::vector<std::string> all_left_out;
   std::size_t count = 0;
   ordered_json studies = ordered_json::array();
   for (const ResultsFolder& folder : results) {
     ordered_json described = ordered_json::array(), left_out = ordered_json::array();
-    for (const auto& records : records_of_surfaces(folder.records)) try {
-        const Surface surface = remake_surface(records);
+    const auto add = [&](const auto& make_surface) {
+      try {
+        const auto surface = make_surface();
         const std::string id = fmt::format("surface-{}", count);
         surfaces += data_element(id, surface_arrays(surface));
         described.push_back(surface_description(surface));
@@ -46,7 +48,12 @@ std::string report_page(const std::vector<ResultsFolder>& results) {
         ++count;
       } catch (const InputError& error) {
         left_out.push_back(error.what());
+        all_left_out.push_back(error.what());
       }
+    };
+    if (folder.of_detail()) add([&] { return read_detail_surface(folder); });
+    for (const auto& records : records_of_surfaces(folder.records))
+      add([&] { return remake_surface(records); });
     ordered_json study = folder.summary;
     study["folder"] = folder.path.string();
     study["surfaces"] = std::move(described);
@@ -57,7 +64,7 @@ std::string report_page(const std::vector<ResultsFolder>& results) {
   text += data_element("report-data", {{"studies", std::move(studies)}});
   text += surfaces;
   text += page.substr(place + kDataPlace.size());
-  return text;
+  return {std::move(text), std::move(all_left_out)};
 }
 
 }  // namespace gridstep

@@ -12,10 +12,14 @@ namespace gridstep {
 /// The page without data, or nothing where the program was built without Node.
 std::string_view page_template();
 
-/// One page, with everything in it, that shows the results side by side. Everything on it comes from the
-/// folders' summary.json and records.jsonl; a surface that cannot be made again is left out, and the page says
-/// so.
+struct ReportPage {
+  std::string html;
+  std::vector<std::string> left_out;  ///< surfaces: one line each, which one and why
+};
+
+/// One page, with everything in it, that shows the results side by side. Everything on it comes from the files in
+/// the folders; a surface that is too large or cannot be made again is left out, and the page says so.
 /// @throws InputError where the program was built without the page.
-std::string report_page(const std::vector<ResultsFolder>& results);
+ReportPage report_page(const std::vector<ResultsFolder>& results);
 
 }  // namespace gridstep

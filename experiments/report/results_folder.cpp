@@ -4,6 +4,7 @@
 
 #include <cerrno>
 #include <fstream>
+#include <set>
 #include <system_error>
 
 #include "experiments/core/json_reader.hpp"
@@ -75,10 +76,36 @@ void check_work_precision(JsonReader& curve) {
     for (const char* key : {"h", "seconds", "error"}) point.number(key);
 }
 
+void check_detail(JsonReader& detail) {
+  for (const char* key : {"input", "estimator"}) detail.text(key);
+  for (const char* key : {"h", "voxels", "surfels", "components"}) detail.number(key);
+  std::vector<JsonReader> levels = detail.objects("levels");
+  if (levels.empty()) detail.fail("levels", "a list of at least one level");
+  std::set<std::string> names_of_first;
+  for (JsonReader& level : levels) {
+    for (const char* key : {"radius", "digital_radius"}) level.number(key);
+    level.texts("surfaces");
+    JsonReader quantities = level.object("quantities");
+    std::set<std::string> names;
+    for (const auto& [quantity, ignored] : level.value("quantities").items()) names.insert(quantity);
+    if (&level == &levels.front()) names_of_first = names;
+    if (names.empty() || names != names_of_first) level.fail("not the quantities of the first level");
+    for (const std::string& quantity : names) {
+      JsonReader spread = quantities.object(quantity);
+      spread.number("mean");
+      if (spread.numbers("quantiles").size() != spread.numbers("probabilities").size())
+        spread.fail("quantiles", "as long as 'probabilities'");
+    }
+  }
+}
+
 void check_summary(const json& summary, const std::string& source) {
   JsonReader reader(summary, source);
   check_schema(reader);
-  if (reader.has("detail")) reader.fail("one surface at several radii has no page; scripts/figures draws it");
+  if (reader.has("detail")) {
+    JsonReader detail = reader.object("detail");
+    return check_detail(detail);
+  }
   for (JsonReader& series : reader.objects("convergence")) check_convergence(series);
   for (JsonReader& cost : reader.objects("cost")) check_cost(cost);
   for (JsonReader& curve : reader.objects("work_precision")) check_work_precision(curve);
@@ -112,6 +139,7 @@ ResultsFolder read_results(const std::filesystem::path& folder) {
   const std::filesystem::path summary_file = folder / "summary.json", records_file = folder / "records.jsonl";
   ResultsFolder results{folder, load_json(summary_file), {}};
   check_summary(results.summary, summary_file.string());
+  if (results.of_detail()) return results;
   auto [head, records] = read_records(records_file);
   JsonReader reader(head, records_file.string());
   check_schema(reader);

@@ -56,6 +56,14 @@ Estimates estimates_of(const Record& record, const Scene<3>& scene) {
   return estimator->eval(scene.surfels);
 }
 
+/// Those that are compared and are one number.
+std::vector<std::string> scalar_quantities(const std::string& estimator) {
+  std::vector<std::string> names;
+  for (const Compared& compared : compared_quantities(estimator, 3))
+    if (compared.columns.size() == 1) names.push_back(compared.name);
+  return names;
+}
+
 /// To more digits than another compiler or processor changes.
 bool same(double a, double b) {
   return std::abs(a - b) <= 1e-9 * std::max(std::abs(a), std::abs(b));
@@ -89,7 +97,7 @@ std::vector<std::vector<const Record*>> records_of_surfaces(const std::vector<Re
   return surfaces;
 }
 
-Surface remake_surface(const std::vector<const Record*>& records) {
+RecordedSurface remake_surface(const std::vector<const Record*>& records) {
   const Record& first = *records.front();
   const std::string what = fmt::format("{} at h = {:.6g}", first.shape, first.h);
   try {
@@ -101,15 +109,14 @@ Surface remake_surface(const std::vector<const Record*>& records) {
       throw InputError(
           fmt::format("had {} surfels, and has {} with this program", first.surfels, scene.surfels.size()));
 
-    Surface surface{records, {}, {}, {}};
+    RecordedSurface surface;
+    surface.records = records;
     std::vector<std::string> columns;
     for (const Record* record : records) {
       surface.estimates.push_back(estimates_of(*record, scene));
-      for (const Compared& compared : compared_quantities(record->estimator, 3)) {
-        if (compared.columns.size() != 1) continue;
-        if (std::find(columns.begin(), columns.end(), compared.name) == columns.end())
-          columns.push_back(compared.name);
-      }
+      surface.quantities.push_back(scalar_quantities(record->estimator));
+      for (const std::string& quantity : surface.quantities.back())
+        if (std::find(columns.begin(), columns.end(), quantity) == columns.end()) columns.push_back(quantity);
     }
     surface.truth = truth_at_surfels<3>(*shape, settings, scene.surfels, columns);
     for (std::size_t i = 0; i < records.size(); ++i)

@@ -9,12 +9,17 @@
 
 namespace gridstep {
 
-/// A digital surface as an earlier study had it, with what its estimators say at each surfel and the truth.
+/// A digital surface, with what is estimated at each surfel, several times, and the truth.
 struct Surface {
-  std::vector<const Record*> records;  ///< of one digitization, one an estimator
   std::vector<Surfel<3>> surfels;
-  std::vector<Estimates> estimates;  ///< one a record
-  Truth truth;                       ///< of every quantity that is compared and is one number
+  std::vector<Estimates> estimates;
+  std::vector<std::vector<std::string>> quantities;  ///< of each of the estimates, those that are drawn
+  Truth truth;                                       ///< of no quantity where nothing is known
+};
+
+/// As an earlier study had it.
+struct RecordedSurface : Surface {
+  std::vector<const Record*> records;  ///< of one digitization; the estimates are one a record
 };
 
 /// More are slow to send and to turn.
@@ -24,9 +29,10 @@ inline constexpr std::int64_t most_surfels_shown = 200'000;
 /// surfels: shift 0, neither rotated nor noisy; of each estimator the first one, so its first radius.
 std::vector<std::vector<const Record*>> records_of_surfaces(const std::vector<Record>& records);
 
-/// Digitizes and estimates again what the records tell of.
+/// Digitizes and estimates again what the records tell of. Its quantities are those that are compared and are one
+/// number.
 /// @throws InputError where that cannot be done, or where its number of surfels or its errors are not those of
 /// the records, as another version of the program may have it.
-Surface remake_surface(const std::vector<const Record*>& records);
+RecordedSurface remake_surface(const std::vector<const Record*>& records);
 
 }  // namespace gridstep

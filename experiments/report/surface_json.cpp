@@ -24,15 +24,6 @@ bool has_directions(const Estimates& estimates) {
   });
 }
 
-/// Those of the truth that the estimator has, in the estimator's order.
-std::vector<std::string> quantities_shown(const Estimates& estimates, const Truth& truth) {
-  std::vector<std::string> shown;
-  for (const std::string& name : estimates.quantities)
-    if (std::find(truth.quantities.begin(), truth.quantities.end(), name) != truth.quantities.end())
-      shown.push_back(name);
-  return shown;
-}
-
 LatticePoint<3> even_origin(const std::vector<Surfel<3>>& surfels) {
   LatticePoint<3> least = surfels.front().cell().coordinates, greatest = least;
   for (const Surfel<3>& surfel : surfels) {
@@ -56,12 +47,12 @@ std::vector<std::int8_t> directions(const Estimates& estimates) {
 
 }  // namespace
 
-ordered_json surface_description(const Surface& surface) {
+ordered_json surface_description(const RecordedSurface& surface) {
   const Record& first = *surface.records.front();
   ordered_json estimators = ordered_json::array();
   for (std::size_t i = 0; i < surface.records.size(); ++i) {
     ordered_json estimator = setting_json(*surface.records[i]);
-    estimator["quantities"] = quantities_shown(surface.estimates[i], surface.truth);
+    estimator["quantities"] = surface.quantities[i];
     estimator["directions"] = has_directions(surface.estimates[i]);
     estimator["errors"] = to_json(*surface.records[i])["errors"];
     estimators.push_back(std::move(estimator));
@@ -69,6 +60,20 @@ ordered_json surface_description(const Surface& surface) {
   return {{"shape", first.shape},       {"h", first.h},
           {"offset", first.offset},     {"surfels", first.surfels},
           {"singular", first.singular}, {"estimators", estimators}};
+}
+
+ordered_json surface_description(const DetailSurface& surface) {
+  ordered_json estimators = ordered_json::array();
+  for (std::size_t i = 0; i < surface.digital_radii.size(); ++i)
+    estimators.push_back({{"estimator", surface.estimator},
+                          {"digital_radius", surface.digital_radii[i]},
+                          {"quantities", surface.quantities[i]},
+                          {"directions", has_directions(surface.estimates[i])}});
+  return {{"shape", surface.input},
+          {"h", surface.h.value},
+          {"surfels", surface.surfels.size()},
+          {"side_by_side", true},
+          {"estimators", estimators}};
 }
 
 ordered_json surface_arrays(const Surface& surface) {
@@ -90,9 +95,10 @@ ordered_json surface_arrays(const Surface& surface) {
   }
 
   ordered_json estimates = ordered_json::array(), frames = ordered_json::array();
-  for (const Estimates& of_one : surface.estimates) {
+  for (std::size_t i = 0; i < surface.estimates.size(); ++i) {
+    const Estimates& of_one = surface.estimates[i];
     ordered_json columns = ordered_json::object();
-    for (const std::string& name : quantities_shown(of_one, surface.truth))
+    for (const std::string& name : surface.quantities[i])
       columns[name] = base64(std::vector<float>(of_one[name].begin(), of_one[name].end()));
     estimates.push_back(std::move(columns));
     frames.push_back(has_directions(of_one) ? ordered_json(base64(directions(of_one))) : ordered_json());

@@ -60,7 +60,7 @@ TEST(Surface, IsNotShownWhereItIsTooLargeRotatedNoisyOrFlat) {
 
 TEST(Surface, HasTheErrorsOfTheRecords) {
   const auto records = records_of(sweep());
-  const Surface surface = remake_surface(records_of_surfaces(records)[0]);
+  const RecordedSurface surface = remake_surface(records_of_surfaces(records)[0]);
   EXPECT_EQ(std::int64_t(surface.surfels.size()), surface.records[0]->surfels);
   EXPECT_EQ(surface.truth.quantities, (std::vector<std::string>{"mean", "gaussian", "k1", "k2"}));
   for (std::size_t i = 0; i < surface.records.size(); ++i)
@@ -92,7 +92,7 @@ TEST(Surface, OfOtherRecordsIsRefused) {
 
 TEST(SurfaceJson, ArraysAreTheNumbers) {
   const auto records = records_of(sweep());
-  const Surface surface = remake_surface(records_of_surfaces(records)[0]);
+  const RecordedSurface surface = remake_surface(records_of_surfaces(records)[0]);
   const nlohmann::ordered_json arrays = surface_arrays(surface);
   std::vector<std::uint16_t> cells;
   std::vector<std::int8_t> signs, directions;
@@ -126,7 +126,7 @@ TEST(SurfaceJson, SurfelsWithoutATruthHaveNone) {
   with_apex["shapes"] = {"diabolo"};
   with_apex["schedule"] = {{"values", {0.3}}};
   const auto records = records_of(with_apex);
-  const Surface surface = remake_surface(records_of_surfaces(records)[0]);
+  const RecordedSurface surface = remake_surface(records_of_surfaces(records)[0]);
   ASSERT_GT(surface.records[0]->singular, 0);
   std::vector<float> expected(surface.truth.columns[0].begin(), surface.truth.columns[0].end());
   for (std::size_t i = 0; i < expected.size(); ++i)

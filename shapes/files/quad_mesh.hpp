@@ -21,4 +21,8 @@ struct QuadMesh {
 /// @throws InputError where there are more than 2^31 vertices.
 QuadMesh quad_mesh(std::span<const Surfel<3>> surfels, GridStep h);
 
+/// The inverse: the surfels that the squares are. Cost O(n).
+/// @throws InputError naming the first square that is none of the grid of step h.
+std::vector<Surfel<3>> surfels_of(const QuadMesh& mesh, GridStep h);
+
 }  // namespace gridstep

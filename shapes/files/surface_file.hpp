@@ -19,6 +19,16 @@ void write_npy(const SurfelTable& table, const Sink& sink);
 
 /// Text, with a property of each face for every value: few readers take those from binary files.
 void write_ply(const SurfelTable& table, const QuadMesh& mesh, const Sink& sink);
+/// A surface with the values of its faces.
+struct PlySurface {
+  QuadMesh mesh;
+  std::vector<std::string> titles;
+  std::vector<std::vector<double>> columns;  ///< columns[c][i] belongs to titles[c] and mesh.quads[i]
+};
+/// What write_ply() wrote: text, squares alone, nothing but numbers of each.
+/// @throws InputError naming the file and the line that is not like that. No more memory is taken than a small
+/// multiple of what the file holds.
+PlySurface read_ply(ByteReader& file);
 /// VTK's PolyData, with an array of cell data for every value or vector.
 void write_vtp(const SurfelTable& table, const QuadMesh& mesh, const Sink& sink);
 /// Text. The format has no values: the first real one is the texture coordinate of its square, vt VALUE 0.

@@ -50,6 +50,90 @@ TEST(QuadMesh, ASphereHasEulerCharacteristicTwo) {
             2);
 }
 
+std::string failure(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(QuadMesh, GivesItsSurfelsBack) {
+  const auto surfels = boundary(set_of({{1, 1, 1}, {2, 1, 1}, {2, 2, 1}, {4, 4, 4}, {5, 5, 5}}));
+  for (const double h : {1.0, 0.1, 1.0 / 3}) EXPECT_EQ(surfels_of(quad_mesh(surfels, {h}), {h}), surfels);
+}
+
+TEST(QuadMesh, OfOtherSquaresIsRefused) {
+  const QuadMesh mesh = quad_mesh(boundary(set_of({{1, 1, 1}})), {0.5});
+  const auto of_changed = [&](auto change) {
+    QuadMesh changed = mesh;
+    change(changed);
+    return failure([&] { surfels_of(changed, {0.5}); });
+  };
+  EXPECT_EQ(of_changed([](QuadMesh&) {}), "");
+  const std::string second = "face 1 is no surfel at h = 0.5";
+  EXPECT_EQ(of_changed([](QuadMesh& m) { std::swap(m.quads[1][0], m.quads[1][1]); }), second) << "crossed";
+  EXPECT_EQ(of_changed([](QuadMesh& m) { m.quads[1] = {0, 0, 0, 0}; }), second);
+  for (const double x : {0.3, 1e300, std::numeric_limits<double>::quiet_NaN()})
+    EXPECT_EQ(of_changed([&](QuadMesh& m) {
+                m.vertices.push_back({x, 0.25, 0.25});
+                m.quads[1][0] = std::int32_t(m.vertices.size() - 1);
+              }),
+              second)
+        << x;
+  EXPECT_EQ(failure([&] { surfels_of(mesh, {0.25}); }), "face 0 is no surfel at h = 0.25");
+}
+
+TEST(Ply, IsReadAsItWasWritten) {
+  const auto surfels = boundary(set_of({{1, 1, 1}, {2, 1, 1}}));
+  const QuadMesh mesh = quad_mesh(surfels, {0.1});
+  SurfelTable table{surfels.size(), {}, {}};
+  table.values.push_back(
+      {"component", SurfelColumn::Type::integer, [](std::size_t i) { return double(i % 2); }});
+  table.values.push_back(
+      {"mean", SurfelColumn::Type::real, [](std::size_t i) { return -1e-30 / double(i + 3); }});
+  std::string text;
+  write_ply(table, mesh, [&](std::string_view bytes) { text += bytes; });
+  ByteReader file("a.ply", text);
+  const PlySurface read = read_ply(file);
+  EXPECT_EQ(read.mesh.vertices, mesh.vertices);
+  EXPECT_EQ(read.mesh.quads, mesh.quads);
+  EXPECT_EQ(read.titles, (std::vector<std::string>{"component", "mean"}));
+  for (std::size_t c = 0; c < 2; ++c)
+    for (std::size_t i = 0; i < surfels.size(); ++i) EXPECT_EQ(read.columns[c][i], table.values[c].value(i));
+}
+
+TEST(Ply, NamesWhatIsWrong) {
+  const std::string header =
+      "ply\nformat ascii 1.0\nelement vertex 1\nproperty double x\nproperty double y\nproperty double z\n"
+      "element face 1\nproperty list uchar int vertex_indices\nproperty double mean\nend_header\n";
+  const auto of = [](const std::string& text) {
+    return failure([&] {
+      ByteReader file("a.ply", text);
+      read_ply(file);
+    });
+  };
+  const auto with = [&](const std::string& old, const std::string& now) {
+    std::string text = header + "0 0 0\n4 0 0 0 0 0.5\n";
+    return text.replace(text.find(old), old.size(), now);
+  };
+  EXPECT_EQ(of(with("ply", "ply")), "");
+  EXPECT_EQ(of(""), "a.ply: line 1: truncated");
+  EXPECT_EQ(of(with("ascii", "binary")),
+            "a.ply: line 2: 'format binary 1....' where 'format ascii 1.0' is expected");
+  EXPECT_EQ(of(with("vertex 1", "vertex -1")),
+            "a.ply: line 3: 'element vertex -...' where 'element vertex COUNT' is expected");
+  EXPECT_EQ(of(with("face 1", "face 2147483647")), "a.ply: truncated: its header says more");
+  EXPECT_EQ(of(with("double mean", "list mean")), "a.ply: line 9: no property of a face that is a number");
+  EXPECT_EQ(of(with("0 0 0\n4", "0 0\n4")), "a.ply: line 11: '' is no number that may stand here");
+  EXPECT_EQ(of(with("4 0", "3 0")), "a.ply: line 12: not a square");
+  EXPECT_EQ(of(with("4 0", "4 1")), "a.ply: line 12: there is no vertex 1");
+  EXPECT_EQ(of(with("0.5", "0.5 1")), "a.ply: line 12: more than its header says");
+  EXPECT_EQ(of(with("0.5", "half")), "a.ply: line 12: 'half' is no number that may stand here");
+  EXPECT_EQ(of(with("0.5\n", "0.5\n1\n")), "a.ply: line 12: more than its header says");
+}
+
 TEST(SurfaceFile, TablesAreWrittenAsTheyAre) {
   SurfelTable table{2, {}, {}};
   table.keys.push_back({"k", SurfelColumn::Type::integer, [](std::size_t i) { return double(i) - 1; }});
@@ -62,15 +146,6 @@ TEST(SurfaceFile, TablesAreWrittenAsTheyAre) {
   EXPECT_EQ(csv, "k,v\n-1,0.1\n0,\n");
   EXPECT_EQ(npy.size() % 64, 2 * (4 + 8));
   EXPECT_TRUE(npy.starts_with("\x93NUMPY\x02"));
-}
-
-std::string failure(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
 }
 
 TEST(FormatTables, ExtensionsAreFoundInCapitalsToo) {

@@ -26,15 +26,18 @@ export const gradientOf = (kind) =>
 
 /** The finite values between which 98 of 100 lie. */
 function middle(...lists) {
-  const sorted = Float32Array.from(lists.flatMap((list) => [...list.filter(Number.isFinite)])).sort();
-  if (!sorted.length) return [0, 0];
-  const at = (part) => sorted[Math.round(part * (sorted.length - 1))];
+  const all = new Float32Array(lists.reduce((sum, { length }) => sum + length, 0));
+  let count = 0;
+  for (const list of lists) for (const value of list) if (Number.isFinite(value)) all[count++] = value;
+  if (!count) return [0, 0];
+  const sorted = all.subarray(0, count).sort();
+  const at = (part) => sorted[Math.round(part * (count - 1))];
   return [at(0.01), at(0.99)];
 }
 
-/** For values: what estimates and truth both spread over, so that their colours can be compared. */
-export function valueRange(estimate, truth) {
-  const [low, high] = middle(estimate, truth);
+/** For values: what all the lists spread over, such as estimates and truth, so that their colours can be compared. */
+export function valueRange(...lists) {
+  const [low, high] = middle(...lists);
   return low < high ? [low, high] : [low - Math.abs(low || 1) / 2, high + Math.abs(high || 1) / 2];
 }
 

@@ -2,24 +2,24 @@
 // can be told apart: one surfel of each cube of a grid has one.
 
 import { BufferAttribute, BufferGeometry, LineBasicMaterial, LineSegments } from "three";
-import { extentOf } from "./surface_mesh.js";
+import { extentOf } from "./surface_geometry.js";
 
 const crossesAlong = 30; // cubes along the surface's diameter
 
-function chosenSurfels(cells, cube) {
+/** Which surfels of a surface have a cross, and how large it is: the same for all that is estimated on it. */
+export function crossesOf({ cells }) {
+  const { middle, radius } = extentOf(cells);
+  const cube = Math.max(4, (2 * radius) / crossesAlong);
   const chosen = new Map();
   for (let i = 0; i < cells.length; i += 3) {
     const key = [0, 1, 2].map((k) => Math.floor(cells[i + k] / cube)).join();
     if (!chosen.has(key)) chosen.set(key, i / 3);
   }
-  return [...chosen.values()];
+  return { middle, cube, surfels: [...chosen.values()] };
 }
 
 export class DirectionLines {
-  constructor(surface, directions) {
-    const { middle, radius } = extentOf(surface.cells);
-    const cube = Math.max(4, (2 * radius) / crossesAlong);
-    const surfels = chosenSurfels(surface.cells, cube);
+  constructor(surface, { middle, cube, surfels }, directions) {
     const positions = new Float32Array(12 * surfels.length);
     const colours = new Uint8Array(16 * surfels.length).fill(255);
     surfels.forEach((surfel, i) => {

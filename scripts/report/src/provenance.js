@@ -15,7 +15,8 @@ const plain = (value) => {
 const titles = { dirty: "sources modified", build_type: "build type", cpu: "processor", os: "system" };
 
 function studyProvenance(study) {
-  const entries = { folder: study.folder, seed: study.seed, ...study.provenance };
+  const seed = "seed" in study ? { seed: study.seed } : {}; // nothing is random in a study of detail
+  const entries = { folder: study.folder, ...seed, ...study.provenance };
   const terms = Object.entries(entries).flatMap(([key, value]) => [
     element("dt", {}, titles[key] ?? key),
     element("dd", {}, plain(value)),

@@ -1,5 +1,6 @@
-// Where a surface is drawn: canvas, camera and controls. A frame is drawn when something changed; while it moves, one
-// pixel of the screen is one of the picture, or several are where frames would come too slowly; at rest it is drawn finer.
+// Where surfaces are drawn: canvas, camera and controls. One canvas lies over all views, each drawn into its own part by
+// the same camera, so that they turn together. A frame is drawn when something changed; while it moves, one pixel of the
+// screen is one of the picture, or several are where frames would come too slowly; at rest it is drawn finer.
 
 import { LinearSRGBColorSpace, PerspectiveCamera, Scene, Spherical, WebGLRenderer } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
@@ -12,12 +13,16 @@ const turnSpeed = 2; // of OrbitControls: a turn in 30 s
 const keys = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
 
 export class Stage {
+  #frameElement;
   #renderer;
-  #scene = new Scene();
   #camera = new PerspectiveCamera(30, 1, 0.1, 10);
   #controls;
-  #mesh = null;
-  #lines = null;
+  #picture = null;
+  #views = []; // { place, scene, colours, lines, part of the canvas }
+  #drawn = []; // the views in the last frame: others are blank
+  #sight = new IntersectionObserver(() => {
+    if (this.#viewsInSight().some((view) => !this.#drawn.includes(view))) this.redraw();
+  });
   #frame = 0;
   #rest = 0;
   #clock = 0;
@@ -25,17 +30,19 @@ export class Stage {
   #pace = 0; // s a frame while it moves, smoothed
 
   /** Throws where there is no WebGL. */
-  constructor(place, description) {
+  constructor(frame, description) {
     const canvas = document.createElement("canvas");
     const context = canvas.getContext("webgl2", { alpha: true, antialias: false });
     if (!context) throw new Error("no WebGL");
     this.#renderer = new WebGLRenderer({ canvas, context });
     this.#renderer.outputColorSpace = LinearSRGBColorSpace; // colours come as the screen wants them
     this.#renderer.setPixelRatio(1);
+    this.#renderer.setScissorTest(true);
     canvas.tabIndex = 0;
     canvas.setAttribute("role", "img");
     canvas.setAttribute("aria-label", description);
-    place.replaceChildren(canvas);
+    frame.append(canvas);
+    this.#frameElement = frame;
     this.#controls = new OrbitControls(this.#camera, canvas);
     this.#controls.enableDamping = false;
     this.#controls.enablePan = false;
@@ -46,35 +53,41 @@ export class Stage {
     canvas.addEventListener("focus", () => (this.#controls.enableZoom = true));
     canvas.addEventListener("blur", () => (this.#controls.enableZoom = false));
     canvas.addEventListener("keydown", (event) => this.#key(event));
-    new ResizeObserver(() => this.#resize(place)).observe(place);
+    new ResizeObserver(() => this.#resize()).observe(frame);
   }
 
-  show(mesh) {
-    if (this.#mesh) {
-      this.#scene.remove(this.#mesh.object);
-      this.#mesh.dispose();
-    }
-    this.#mesh = mesh;
-    this.#scene.add(mesh.object);
-    const distance = (1.1 * mesh.radius) / Math.sin((Math.PI / 360) * this.#camera.fov);
+  /** One picture in several colours, each over its place: elements of one size within the frame. */
+  show(picture, coloured, places) {
+    this.showLines([]);
+    for (const { colours } of this.#views) colours.dispose();
+    this.#picture?.dispose();
+    this.#picture = picture;
+    this.#views = coloured.map((colours, i) => ({ place: places[i], scene: new Scene().add(colours.object), colours, lines: null }));
+    const distance = (1.1 * picture.geometry.radius) / Math.sin((Math.PI / 360) * this.#camera.fov);
     this.#camera.near = distance / 100;
     this.#camera.far = 4 * distance;
     this.#camera.position.set(0.62, 0.42, 0.66).setLength(distance);
-    this.#camera.updateProjectionMatrix();
     this.#controls.minDistance = distance / 8;
     this.#controls.maxDistance = 2 * distance;
+    // Several views leave no room beside them: on a screen to be touched, moving up and down scrolls the page.
+    this.#renderer.domElement.style.touchAction = coloured.length > 1 ? "pan-y" : "none";
+    this.#sight.disconnect();
+    for (const place of places) this.#sight.observe(place);
+    this.#resize();
     this.#controls.update();
     this.redraw();
   }
 
-  /** Lines over the surface, or null for none. */
+  /** Lines over the surface of each view; none where the list has none. */
   showLines(lines) {
-    if (this.#lines) {
-      this.#scene.remove(this.#lines.object);
-      this.#lines.dispose();
-    }
-    this.#lines = lines;
-    if (lines) this.#scene.add(lines.object);
+    this.#views.forEach((view, i) => {
+      if (view.lines) {
+        view.scene.remove(view.lines.object);
+        view.lines.dispose();
+      }
+      view.lines = lines[i] ?? null;
+      if (view.lines) view.scene.add(view.lines.object);
+    });
     this.redraw();
   }
 
@@ -90,15 +103,31 @@ export class Stage {
 
   #draw(now) {
     const seconds = Math.min(0.1, (now - this.#clock) / 1000);
-    if (now - this.#clock < restAfter) this.#keepPace(seconds);
+    if (now - this.#clock < restAfter && this.#renderer.getPixelRatio() <= this.#movingPixels) this.#keepPace(seconds);
     this.#frame = 0;
     this.#clock = now;
-    if (!this.#mesh) return;
-    this.#mesh.faceEye(this.#camera.position);
-    this.#renderer.render(this.#scene, this.#camera);
+    if (!this.#picture) return;
+    this.#drawn = this.#viewsInSight();
+    if (this.#drawn.length) this.#drawPicture(this.#drawn[0].part);
+    for (const { scene, part } of this.#drawn) {
+      this.#renderer.setViewport(part.left, part.bottom, part.width, part.height);
+      this.#renderer.setScissor(part.left, part.bottom, part.width, part.height);
+      this.#renderer.render(scene, this.#camera);
+    }
     clearTimeout(this.#rest);
     if (this.#controls.autoRotate) this.#controls.update(seconds);
     else this.#rest = setTimeout(() => this.#setPixels(restPixels), restAfter);
+  }
+
+  #viewsInSight() {
+    const { top } = this.#renderer.domElement.getBoundingClientRect();
+    return this.#views.filter(({ part }) => part && top + part.top <= innerHeight && top + part.top + part.height >= 0);
+  }
+
+  /** In the pixels of a view, all of which are of one size. */
+  #drawPicture({ width, height }) {
+    const ratio = this.#renderer.getPixelRatio();
+    this.#picture.draw(this.#renderer, this.#camera, Math.round(ratio * width), Math.round(ratio * height));
   }
 
   /** Fewer pixels for as long as frames come too slowly: in software, pixels cost as much as the surface does. */
@@ -114,20 +143,32 @@ export class Stage {
     this.redraw();
   }
 
-  #setPixels(ratio) {
+  /** No more than a canvas may have: with many views it is long. */
+  #setPixels(wanted) {
+    const { clientWidth, clientHeight } = this.#frameElement;
+    const ratio = Math.min(wanted, this.#renderer.capabilities.maxTextureSize / Math.max(clientWidth, clientHeight));
     if (this.#renderer.getPixelRatio() === ratio) return;
     this.#renderer.setPixelRatio(ratio);
     this.redraw();
   }
 
-  #resize(place) {
-    const { clientWidth: width, clientHeight: height } = place;
-    if (!width || !height) return;
+  #resize() {
+    const { clientWidth: width, clientHeight: height } = this.#frameElement;
+    if (!width || !height || !this.#views.length) return;
     this.#renderer.setSize(width, height);
-    this.#camera.aspect = width / height;
-    // A narrow screen sees as much as a square one.
-    this.#camera.zoom = Math.min(1, width / height);
+    const canvas = this.#renderer.domElement.getBoundingClientRect();
+    for (const view of this.#views) {
+      const place = view.place.getBoundingClientRect();
+      const top = place.top - canvas.top;
+      const { width: across, height: down } = place;
+      view.part = { left: place.left - canvas.left, top, width: across, height: down, bottom: height - top - down };
+    }
+    const [{ part }] = this.#views;
+    this.#camera.aspect = part.width / part.height;
+    // A narrow view sees as much as a square one.
+    this.#camera.zoom = Math.min(1, part.width / part.height);
     this.#camera.updateProjectionMatrix();
+    this.#controls.rotateSpeed = height / part.height; // the controls count in heights of the canvas
     this.#moved();
   }
 

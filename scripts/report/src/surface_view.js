@@ -1,13 +1,16 @@
-// The digital surface: what the form asks for, on the stage, with the scale of its colours.
+// The digital surface: what the form asks for, on the stage, with the scale of its colours. Of several radii, all are on
+// the stage side by side, in the same colours; else one estimator is chosen.
 
 import { coloursOf, errorRange, gradientOf, valueRange } from "./colour_scale.js";
 import { studyName } from "./curves.js";
-import { DirectionLines } from "./direction_lines.js";
+import { crossesOf, DirectionLines } from "./direction_lines.js";
 import { byId, chosenRadio, element, fillRadios, fillSelect, isPressed, onToggle } from "./elements.js";
 import { Stage } from "./stage.js";
+import { SurfaceColours } from "./surface_colours.js";
 import { decodeSurface, valuesOf } from "./surface_data.js";
-import { SurfaceMesh } from "./surface_mesh.js";
-import { countText, errorText, quantityText, radiusText, stepText } from "./text.js";
+import { SurfaceGeometry } from "./surface_geometry.js";
+import { SurfelPicture } from "./surfel_picture.js";
+import { countText, digitalRadiusText, errorText, quantityText, radiusText, stepText } from "./text.js";
 
 const kinds = [["estimate", "estimate"], ["truth", "truth"], ["error", "error"]]; // prettier-ignore
 
@@ -62,16 +65,26 @@ class SurfaceView {
   get #estimator() {
     return Number(byId("surface-estimator").value);
   }
+  /** Which of the surface's estimators are on the stage. */
+  get #onStage() {
+    return this.#surface.side_by_side ? [...this.#surface.estimators.keys()] : [this.#estimator];
+  }
+  /** Without a truth, there are estimates alone. */
+  get #kind() {
+    return this.#surface.side_by_side ? "estimate" : chosenRadio(byId("surface-colour"));
+  }
 
   #fillEstimators() {
-    const { estimators } = this.#surface;
+    const { estimators, side_by_side = false } = this.#surface;
+    const choices = side_by_side ? [] : estimators;
     fillSelect(
       byId("surface-estimator"),
-      estimators.map((e, i) => [String(i), [e.estimator, radiusText(e)].filter(Boolean).join(", ")]),
+      choices.map((e, i) => [String(i), [e.estimator, radiusText(e)].filter(Boolean).join(", ")]),
     );
-    const { quantities, directions } = estimators[this.#estimator];
-    fillSelect(byId("surface-quantity"), quantities.map((q) => [q, quantityText(q)]));
-    byId("directions").disabled = !directions;
+    byId("surface-estimator").parentElement.hidden = byId("surface-colour").hidden = side_by_side;
+    const shown = this.#onStage.map((i) => estimators[i]);
+    fillSelect(byId("surface-quantity"), shown[0].quantities.map((q) => [q, quantityText(q)]));
+    byId("directions").disabled = !shown.some(({ directions }) => directions);
   }
 
   #arrays({ id }) {
@@ -82,26 +95,43 @@ class SurfaceView {
   #show() {
     if (!this.#stage) return;
     const arrays = this.#arrays(this.#surface);
-    if (this.#shown?.surface !== this.#surface) {
-      this.#shown = { surface: this.#surface, mesh: new SurfaceMesh(arrays) };
-      this.#stage.show(this.#shown.mesh);
-    }
+    if (this.#shown?.surface !== this.#surface) this.#setStage(arrays);
     const quantity = byId("surface-quantity").value;
-    const kind = chosenRadio(byId("surface-colour"));
-    const values = valuesOf(arrays, this.#estimator, quantity, kind);
+    const kind = this.#kind;
+    const lists = this.#onStage.map((estimator) => valuesOf(arrays, estimator, quantity, kind));
     const scale = kind === "error" ? "errors" : "values";
-    const range =
-      kind === "error" ? errorRange(values) : valueRange(arrays.estimates[this.#estimator][quantity], arrays.truth[quantity]);
-    this.#shown.mesh.colour(coloursOf(values, range, scale));
+    const range = kind === "error" ? errorRange(lists[0]) : valueRange(...this.#estimatesAndTruth(arrays, quantity));
+    this.#shown.coloured.forEach((colours, i) => colours.colour(coloursOf(lists[i], range, scale)));
     this.#showScale(kind, quantity, scale, range);
     this.#showFacts(quantity);
     this.#showDirections();
   }
 
+  #estimatesAndTruth(arrays, quantity) {
+    const truth = arrays.truth[quantity];
+    return [...this.#onStage.map((i) => arrays.estimates[i][quantity]), ...(truth ? [truth] : [])];
+  }
+
+  /** As many views as there are estimators to be seen at once, each under its radius. */
+  #setStage(arrays) {
+    const { estimators, side_by_side, h } = this.#surface;
+    const caption = (i) => (side_by_side ? [element("figcaption", {}, digitalRadiusText(estimators[i], h))] : []);
+    const views = this.#onStage.map((i) => element("figure", {}, ...caption(i), element("div", { class: "view" })));
+    byId("views").classList.toggle("several", Boolean(side_by_side));
+    byId("views").replaceChildren(...views);
+    const picture = new SurfelPicture(new SurfaceGeometry(arrays));
+    const coloured = views.map(() => new SurfaceColours(picture));
+    this.#shown = { surface: this.#surface, coloured, crosses: null };
+    this.#stage.show(picture, coloured, views.map((view) => view.lastChild));
+  }
+
   #showDirections() {
-    const directions = this.#stage && this.#arrays(this.#surface).directions[this.#estimator];
-    const wanted = directions && isPressed(byId("directions"));
-    this.#stage?.showLines(wanted ? new DirectionLines(this.#arrays(this.#surface), directions) : null);
+    if (!this.#stage) return;
+    const arrays = this.#arrays(this.#surface);
+    if (!isPressed(byId("directions"))) return this.#stage.showLines([]);
+    const crosses = (this.#shown.crosses ??= crossesOf(arrays));
+    const directions = this.#onStage.map((i) => arrays.directions[i]);
+    this.#stage.showLines(directions.map((list) => list && new DirectionLines(arrays, crosses, list)));
   }
 
   #showScale(kind, quantity, scale, [low, high]) {
@@ -113,18 +143,30 @@ class SurfaceView {
   }
 
   #showFacts(quantity) {
-    const { surfels, singular, offset, estimators } = this.#surface;
-    const errors = estimators[this.#estimator].errors[quantity];
+    const { surfels, side_by_side } = this.#surface;
     byId("surface-facts").replaceChildren(
       [
         `${countText(surfels)} surfels`,
-        `shift ${offset.map((x) => x.toFixed(3).replace("-", "−")).join(", ")} of a cell`,
-        `error sup ${errorText(errors.sup)}, rms ${errorText(errors.rms)}`,
-        ...(singular ? [`${countText(singular)} at singular points, grey`] : []),
-        "colours end where 1 % of the values lie beyond",
+        ...(side_by_side ? this.#factsOfRadii() : this.#factsOfErrors(quantity)),
         "directions: black along κ₁, white along κ₂",
       ].join(" · "),
     );
+  }
+
+  #factsOfRadii() {
+    const { estimators } = this.#surface;
+    return [estimators[0].estimator, "one scale of colours for all radii, which ends where 1 % of their values together lie beyond"];
+  }
+
+  #factsOfErrors(quantity) {
+    const { singular, offset, estimators } = this.#surface;
+    const errors = estimators[this.#estimator].errors[quantity];
+    return [
+      `shift ${offset.map((x) => x.toFixed(3).replace("-", "−")).join(", ")} of a cell`,
+      `error sup ${errorText(errors.sup)}, rms ${errorText(errors.rms)}`,
+      ...(singular ? [`${countText(singular)} at singular points, grey`] : []),
+      "colours end where 1 % of the values lie beyond",
+    ];
   }
 }
 
@@ -135,7 +177,7 @@ export function startSurfaceView(studies) {
   );
   const leftOut = studies.flatMap((study) => study.surfaces_left_out);
   byId("surfaces-left-out").replaceChildren(...leftOut.map((reason) => element("li", {}, `Left out: ${reason}`)));
-  byId("surface").hidden = byId("surface-link").hidden = !surfaces.length && !leftOut.length;
+  byId("surface").hidden = !surfaces.length && !leftOut.length;
   for (const id of ["surface-choices", "stage", "scale", "surface-facts"]) byId(id).hidden = !surfaces.length;
   if (surfaces.length) new SurfaceView(surfaces).startWhenSeen();
 }

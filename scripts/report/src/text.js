@@ -42,6 +42,12 @@ export function radiusText({ k, alpha }) {
   return k === null ? "" : `R = ${Number(k.toPrecision(4))} ${powerText(alpha)}`;
 }
 
+/** R = 3.5, 14 voxels: of a ball given in cells of edge h. */
+export function digitalRadiusText({ digital_radius }, h) {
+  const voxels = `${Number(digital_radius.toPrecision(4))} voxels`;
+  return h === 1 ? `R = ${voxels}` : `R = ${Number((digital_radius * h).toPrecision(4))}, ${voxels}`;
+}
+
 const quantityNames = {
   kappa: "curvature κ",
   mean: "mean curvature H",

@@ -1,5 +1,6 @@
 // How fast a page is, on this machine: npm run measure -- REPORT.html
-// Opening counts until a curve can be pressed; frames are those of the surface while it turns, WebGL in software.
+// Opening counts until a curve can be pressed, or the table of radii is there; frames are those of the surface while it
+// turns, WebGL in software.
 import { statSync } from "node:fs";
 import { loadavg } from "node:os";
 import { resolve } from "node:path";
@@ -9,10 +10,10 @@ const file = resolve(process.argv[2]);
 const browser = await launch();
 const start = performance.now();
 const page = await open(browser, file);
-await page.locator("#curves button").first().click({ trial: true });
+await page.locator("#curves button:visible, #radii td:visible").first().click({ trial: true });
 const opened = performance.now() - start;
 console.log(`${(statSync(file).size / 1e6).toFixed(1)} MB, opened in ${(opened / 1000).toFixed(2)} s (load ${loadavg()[0].toFixed(1)})`);
-if (await page.locator("#surface").isVisible()) {
+if (await page.locator("#stage").isVisible()) {
   await page.locator("#stage").scrollIntoViewIfNeeded();
   await page.waitForSelector("#stage canvas");
   await page.click("#turn");

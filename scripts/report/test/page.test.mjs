@@ -4,7 +4,7 @@ import { after, before, describe, test } from "node:test";
 import { launch, open } from "./chromium.mjs";
 import { runStudies } from "./studies.mjs";
 import { decodeSurface, valuesOf } from "../src/surface_data.js";
-import { intervalText, slopeText } from "../src/text.js";
+import { errorText, intervalText, slopeText } from "../src/text.js";
 
 let studies, browser;
 before(async () => {
@@ -208,38 +208,39 @@ describe("toggles", () => {
     }));
 });
 
-describe("the surface", () => {
-  /** How many different colours the canvas shows, and a sum that tells pictures apart. */
-  const picture = async (page) => {
-    const image = (await page.locator("#stage canvas").screenshot()).toString("base64");
-    return page.evaluate(async (data) => {
-      const bitmap = await createImageBitmap(await new Promise((done) => {
-        const bytes = Uint8Array.from(atob(data), (c) => c.charCodeAt(0));
-        done(new Blob([bytes], { type: "image/png" }));
-      }));
-      const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext("2d");
-      context.drawImage(bitmap, 0, 0);
-      const pixels = new Uint32Array(context.getImageData(0, 0, bitmap.width, bitmap.height).data.buffer);
-      let sum = 0;
-      for (const pixel of pixels) sum = (sum * 31 + pixel) % 4294967291;
-      return { colours: new Set(pixels).size, sum };
-    }, image);
-  };
-  /** Until two pictures in a row are the same. */
-  const atRest = async (page) => {
-    for (let before = await picture(page), i = 0; ; ++i) {
-      await page.waitForTimeout(500);
-      const now = await picture(page);
-      if (now.sum === before.sum || i > 40) return now;
-      before = now;
-    }
-  };
-  const show = async (page) => {
-    await page.locator("#stage").scrollIntoViewIfNeeded();
-    await page.waitForSelector("#stage canvas");
-    return atRest(page);
-  };
+/** How many different colours an element shows, and a sum that tells pictures apart. */
+const pictureOf = async (page, locator) => {
+  const image = (await locator.screenshot()).toString("base64");
+  return page.evaluate(async (data) => {
+    const bitmap = await createImageBitmap(await new Promise((done) => {
+      const bytes = Uint8Array.from(atob(data), (c) => c.charCodeAt(0));
+      done(new Blob([bytes], { type: "image/png" }));
+    }));
+    const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext("2d");
+    context.drawImage(bitmap, 0, 0);
+    const pixels = new Uint32Array(context.getImageData(0, 0, bitmap.width, bitmap.height).data.buffer);
+    let sum = 0;
+    for (const pixel of pixels) sum = (sum * 31 + pixel) % 4294967291;
+    return { colours: new Set(pixels).size, sum };
+  }, image);
+};
+const picture = (page) => pictureOf(page, page.locator("#stage canvas"));
+/** Until two pictures in a row are the same. */
+const atRest = async (page) => {
+  for (let before = await picture(page), i = 0; ; ++i) {
+    await page.waitForTimeout(500);
+    const now = await picture(page);
+    if (now.sum === before.sum || i > 40) return now;
+    before = now;
+  }
+};
+const show = async (page) => {
+  await page.locator("#stage").scrollIntoViewIfNeeded();
+  await page.waitForSelector("#stage canvas");
+  return atRest(page);
+};
 
+describe("the surface", () => {
   test("is drawn, coloured, turned, and shows directions", () =>
     withPage(studies.solid.page, {}, async (page) => {
       const pictures = [await show(page)];
@@ -306,19 +307,166 @@ describe("the surface", () => {
   });
 });
 
+describe("one surface at several radii", () => {
+  const radii = () => studies.radii.summary.detail.levels;
+  const views = (page) => page.locator("#views .view");
+  const pictures = async (page) => {
+    await atRest(page);
+    return Promise.all(radii().map((_, i) => pictureOf(page, views(page).nth(i))));
+  };
+  const sums = (list) => list.map(({ sum }) => sum);
+  const allDiffer = (before, after, what) => before.forEach((sum, i) => assert.notEqual(sum, after[i], `${what}: view ${i}`));
+  const arraysOf = async (page) => decodeSurface(JSON.parse(await page.evaluate(() => document.getElementById("surface-0").textContent)));
+
+  test("stands side by side, each radius named, without what has nothing to show", () =>
+    withPage(studies.radii.page, {}, async (page) => {
+      await show(page);
+      assert.deepEqual(await page.locator("#views figcaption").allTextContents(), ["R = 2.4, 8 voxels", "R = 1.5, 5 voxels", "R = 0.9, 3 voxels"]);
+      const boxes = await Promise.all(radii().map((_, i) => views(page).nth(i).boundingBox()));
+      for (const { y, width } of boxes) assert.deepEqual([y, width].map(Math.round), [boxes[0].y, boxes[0].width].map(Math.round));
+      assert.ok(boxes[0].x + boxes[0].width < boxes[1].x);
+      assert.equal(await page.locator("canvas").count(), 1, "one context");
+      assert.deepEqual(await page.locator("nav a:visible").allTextContents(), ["Surface", "Radii", "Provenance"]);
+      for (const id of ["convergence", "surface-estimator", "surface-colour"]) assert.ok(!(await page.locator(`#${id}`).isVisible()), id);
+      assert.equal(await page.locator(".chart:visible").count(), 0);
+      const provenance = await page.locator("#provenance").textContent();
+      assert.ok(provenance.includes(studies.radii.summary.provenance.compiler) && !provenance.includes("undefined"), provenance);
+    }));
+
+  test("every view is drawn, and follows the quantity, the directions and the camera", () =>
+    withPage(studies.radii.page, {}, async (page) => {
+      await page.addStyleTag({ content: "canvas { outline: none !important }" }); // of the focus: no part of the pictures
+      await show(page);
+      const first = await pictures(page);
+      for (const { colours } of first) assert.ok(colours > 50, `${colours} colours`);
+      assert.equal(new Set(sums(first)).size, 3, "radii differ");
+      let before = sums(first);
+      for (const [what, action] of [
+        ["quantity", () => page.selectOption("#surface-quantity", "gaussian")],
+        ["directions", () => page.click("#directions")],
+        ["turned", () => page.locator("#stage canvas").press("ArrowLeft")],
+        ["closer", () => page.locator("#stage canvas").press("+")],
+      ]) {
+        await action();
+        const after = sums(await pictures(page));
+        allDiffer(before, after, what);
+        before = after;
+      }
+      await page.click("#directions");
+      const without = sums(await pictures(page));
+      allDiffer(before, without, "without directions");
+      await page.click("#directions");
+      assert.deepEqual(sums(await pictures(page)), before, "and with them again");
+    }));
+
+  test("one scale of colours spans the values of all radii, and says so", () =>
+    withPage(studies.radii.page, {}, async (page) => {
+      await show(page);
+      const { estimates } = await arraysOf(page);
+      for (const quantity of ["mean", "gaussian", "k1", "k2"]) {
+        await page.selectOption("#surface-quantity", quantity);
+        const all = Float32Array.from(estimates.flatMap((columns) => [...columns[quantity]])).sort();
+        const at = (part) => errorText(all[Math.round(part * (all.length - 1))]);
+        const ticks = await page.locator("#scale .tick").allTextContents();
+        assert.deepEqual([ticks[0], ticks[2]], [at(0.01), at(0.99)], quantity);
+      }
+      assert.match(await page.locator("#surface-facts").textContent(), /one scale of colours for all radii, which ends where 1 %/);
+    }));
+
+  test("values are those of the files, the table that of summary.json", () =>
+    withPage(studies.radii.page, {}, async (page) => {
+      const { signs, truth, estimates, directions } = await arraysOf(page);
+      assert.deepEqual(truth, {});
+      assert.equal(signs.length, studies.radii.summary.detail.surfels);
+      const rows = await page.locator("#radii tbody tr").evaluateAll((list) => list.map((row) => [...row.cells].map((cell) => cell.textContent)));
+      assert.equal(rows.length, 4 * 3);
+      radii().forEach(({ quantities, surfaces, digital_radius, radius }, i) => {
+        assert.equal(directions[i].length, 6 * signs.length);
+        const ply = studies.radii.read(surfaces.find((name) => name.endsWith(".ply"))).split("\n");
+        const header = ply.indexOf("end_header");
+        const titles = ply.slice(ply.findIndex((line) => line.startsWith("property list")) + 1, header).map((line) => line.split(" ")[2]);
+        const faces = ply.slice(-signs.length - 1, -1).map((line) => line.split(" "));
+        ["mean", "gaussian", "k1", "k2"].forEach((quantity, q) => {
+          const expected = Float32Array.from(faces, (words) => Number(words[5 + titles.indexOf(quantity)]));
+          assert.deepEqual(estimates[i][quantity], expected);
+          const { mean: average, quantiles } = quantities[quantity];
+          const numbers = [digital_radius, radius].map((value) => String(Number(value.toPrecision(4))));
+          assert.deepEqual(rows[3 * q + i].slice(1), [...numbers, ...[average, ...quantiles].map(errorText)]);
+        });
+      });
+    }));
+
+  test("is reached and turned by the keyboard", () =>
+    withPage(studies.radii.page, {}, async (page) => {
+      await show(page);
+      await page.evaluate(() => document.activeElement.blur());
+      const reached = [];
+      for (let i = 0; i < 40; ++i) {
+        await page.keyboard.press("Tab");
+        const at = await page.evaluate(() => document.activeElement.id || document.activeElement.tagName);
+        if (at === "BODY") break;
+        reached.push(at);
+        if (at === "CANVAS") assert.ok(await page.evaluate(() => document.activeElement.getAttribute("aria-label")));
+      }
+      for (const id of ["theme", "surface-shape", "surface-quantity", "directions", "turn", "CANVAS"]) assert.ok(reached.includes(id), `${id}: ${reached}`);
+      for (const id of ["surface-estimator", "estimator", "everything"]) assert.ok(!reached.includes(id), id);
+    }));
+
+  test("stands beside other studies", () =>
+    withPage(studies.mixed, {}, async (page) => {
+      await show(page);
+      assert.equal(await page.locator(".chart:visible").count(), 4);
+      assert.equal(await page.locator("#views .view").count(), 1);
+      await page.selectOption("#surface-shape", { index: 2 });
+      await atRest(page);
+      assert.equal(await page.locator("#views .view").count(), 3);
+      assert.ok((await pictureOf(page, views(page).last())).colours > 50);
+      assert.ok(!(await page.locator("#surface-estimator").isVisible()));
+      await page.selectOption("#surface-shape", { index: 0 });
+      await atRest(page);
+      assert.equal(await page.locator("#views .view").count(), 1);
+      assert.ok((await picture(page)).colours > 50);
+      assert.ok(await page.locator("#surface-estimator").isVisible());
+      assert.equal(await page.locator("#radii table").count(), 1);
+    }));
+
+  test("that is too large is left out, and both page and terminal say so", () =>
+    withPage(studies.large.page, {}, async (page) => {
+      const { surfels } = studies.large.summary.detail;
+      const reason = new RegExp(`sphere:radius=19 at h = 0.15: ${surfels} surfels, more than the 200000 that a page shows`);
+      assert.match(await page.locator("#surfaces-left-out").textContent(), reason);
+      assert.match(studies.large.said.replaceAll(/\s+/g, " "), reason);
+      assert.ok(!(await page.locator("#stage").isVisible()));
+      assert.equal(await page.locator("#radii tbody tr").count(), 1);
+    }));
+});
+
 describe("every width", () => {
   for (const width of [400, 1600])
-    test(`${width} px without scrolling sideways`, () =>
-      withPage(studies.solid.page, { viewport: { width, height: 900 } }, async (page) => {
-        await page.locator("#everything").check();
-        await page.locator("#stage").scrollIntoViewIfNeeded();
-        await page.waitForSelector("#stage canvas");
-        assert.equal(await page.evaluate(() => document.scrollingElement.scrollWidth), width);
-        const tooWide = await page.evaluate(() =>
-          [...document.querySelectorAll("select, button, .chart, #stage, h1, h2, fieldset")]
-            .filter((node) => !node.closest(".scroll") && node.getBoundingClientRect().right > innerWidth)
-            .map((node) => node.id || node.textContent),
-        );
-        assert.deepEqual(tooWide, []);
-      }));
+    for (const name of ["solid", "radii"])
+      test(`${name}: ${width} px without scrolling sideways`, () =>
+        withPage(studies[name].page, { viewport: { width, height: 900 } }, async (page) => {
+          if (name === "solid") await page.locator("#everything").check();
+          await page.locator("#stage").scrollIntoViewIfNeeded();
+          await page.waitForSelector("#stage canvas");
+          assert.equal(await page.evaluate(() => document.scrollingElement.scrollWidth), width);
+          const tooWide = await page.evaluate(() =>
+            [...document.querySelectorAll("select, button, .chart, #stage, .view, h1, h2, fieldset")]
+              .filter((node) => !node.closest(".scroll") && node.getBoundingClientRect().right > innerWidth)
+              .map((node) => node.id || node.textContent),
+          );
+          assert.deepEqual(tooWide, []);
+        }));
+
+  test("on a narrow screen, radii stand one above the other, and those scrolled to are drawn", () =>
+    withPage(studies.radii.page, { viewport: { width: 400, height: 500 } }, async (page) => {
+      await show(page);
+      const places = page.locator("#views .view");
+      const boxes = await Promise.all([0, 1, 2].map((i) => places.nth(i).boundingBox()));
+      assert.ok(boxes[0].y + boxes[0].height < boxes[1].y && boxes[1].y + boxes[1].height < boxes[2].y);
+      await page.evaluate(() => scrollTo({ top: 0, behavior: "instant" }));
+      await places.nth(2).scrollIntoViewIfNeeded();
+      await page.waitForTimeout(1000);
+      assert.ok((await pictureOf(page, places.nth(2))).colours > 50);
+    }));
 });

@@ -1,6 +1,6 @@
 // Small studies, run once with the program, and what they wrote.
 import { execFileSync } from "node:child_process";
-import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -37,20 +37,34 @@ const solid = {
   ],
 };
 
+const radii = {
+  name: "radii",
+  description: "One surface at several radii",
+  detail: { shape: "ellipsoid:a=4,b=3,c=2.5", h: 0.3, digital_radii: [8, 5, 3] },
+};
+
+const large = { name: "large", detail: { shape: "sphere:radius=19", h: 0.15, estimator: "ii", digital_radii: [2] } };
+
 export function runStudies() {
   const folder = mkdtempSync(join(tmpdir(), "gridstep-report-"));
   const gridstep = (...words) => execFileSync(program, words, { cwd: folder, stdio: ["ignore", "pipe", "pipe"], encoding: "utf8" });
   const study = (json, out) => {
     writeFileSync(join(folder, `${out}.json`), JSON.stringify(json));
-    gridstep("study", `${out}.json`, "--out", out);
+    const said = gridstep("study", `${out}.json`, "--out", out);
+    const read = (name) => readFileSync(join(folder, out, name), "utf8");
+    const records = existsSync(join(folder, out, "records.jsonl")) ? read("records.jsonl").trim().split("\n").slice(1) : [];
     return {
       page: join(folder, out, "report.html"),
-      summary: JSON.parse(readFileSync(join(folder, out, "summary.json"), "utf8")),
-      records: readFileSync(join(folder, out, "records.jsonl"), "utf8").trim().split("\n").slice(1).map((line) => JSON.parse(line)),
+      said,
+      read,
+      summary: JSON.parse(read("summary.json")),
+      records: records.map((line) => JSON.parse(line)),
     };
   };
-  const studies = { flat: study(flat, "flat"), solid: study(solid, "solid") };
+  const studies = { flat: study(flat, "flat"), solid: study(solid, "solid"), radii: study(radii, "radii"), large: study(large, "large") };
   study({ ...flat, seed: 2 }, "again");
   gridstep("report", "flat", "again", "--out", "both.html");
-  return { ...studies, both: join(folder, "both.html"), remove: () => rmSync(folder, { recursive: true }) };
+  gridstep("report", "solid", "radii", "--out", "mixed.html");
+  const pages = { both: join(folder, "both.html"), mixed: join(folder, "mixed.html") };
+  return { ...studies, ...pages, remove: () => rmSync(folder, { recursive: true }) };
 }

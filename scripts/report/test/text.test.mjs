@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { coloursOf, errorRange, valueRange } from "../src/colour_scale.js";
 import { labelsOf } from "../src/curves.js";
-import { countText, errorText, intervalText, powerText, radiusText, slopeText, stepText } from "../src/text.js";
+import { countText, digitalRadiusText, errorText, intervalText, powerText, radiusText, slopeText, stepText } from "../src/text.js";
 
 test("numbers read as those of the program", () => {
   assert.equal(errorText(0.0123), "0.01230");
@@ -14,6 +14,8 @@ test("numbers read as those of the program", () => {
   assert.equal(powerText(1 / 3), "h^(1/3)");
   assert.equal(radiusText({ k: 5, alpha: 0.4 }), "R = 5 h^0.4");
   assert.equal(radiusText({ k: null, alpha: null }), "");
+  assert.equal(digitalRadiusText({ digital_radius: 14 }, 1), "R = 14 voxels");
+  assert.equal(digitalRadiusText({ digital_radius: 7.5 }, 0.1), "R = 0.75, 7.5 voxels");
   assert.equal(countText(195054), "195\u202f054");
 });
 
@@ -35,6 +37,8 @@ test("colours: ends beyond the range, grey where there is no value, the middle a
   assert.ok(Math.min(...errors.slice(3, 6)) > 240, "pale");
   assert.deepEqual(errorRange(Float32Array.of(-2, 1, NaN)), range.map((end) => 2 * end));
   assert.deepEqual(valueRange(Float32Array.of(0, 1), Float32Array.of(3, NaN)), [0, 3]);
+  const many = Float32Array.from({ length: 1000 }, (_, i) => i);
+  assert.deepEqual(valueRange(many, many.map((x) => -x)), [-979, 979], "but for 1 % of all lists together at either end");
   const [low, high] = valueRange(Float32Array.of(2, 2), Float32Array.of(2));
   assert.ok(low < 2 && high > 2, "a range also where all values are equal");
 });

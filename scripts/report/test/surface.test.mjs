@@ -3,7 +3,9 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Vector3 } from "three";
 import { rectanglesOf } from "../src/rectangles.js";
-import { SurfaceMesh } from "../src/surface_mesh.js";
+import { SurfaceColours } from "../src/surface_colours.js";
+import { SurfaceGeometry } from "../src/surface_geometry.js";
+import { SurfelPicture } from "../src/surfel_picture.js";
 
 /** Boundary of the points of a small cube that satisfy a predicate, as the program writes it. */
 function boundary(inside, size) {
@@ -60,9 +62,9 @@ for (const [name, surface] of Object.entries({ ball, ring })) {
   });
 
   test(`${name}: triangles look outwards, and enclose the volume`, () => {
-    const mesh = new SurfaceMesh(surface).object.children[0];
-    const { position, rectangle } = mesh.geometry.attributes;
-    const index = mesh.geometry.index.array;
+    const [{ buffer }] = new SurfaceGeometry(surface).parts;
+    const { position, rectangle } = buffer.attributes;
+    const index = buffer.index.array;
     const corner = (i) => new Vector3().fromBufferAttribute(position, index[i]);
     let threefold = 0; // divergence theorem: the flux of x
     for (let i = 0; i < index.length; i += 3) {
@@ -76,14 +78,15 @@ for (const [name, surface] of Object.entries({ ball, ring })) {
   });
 
   test(`${name}: what is drawn is what faces the eye`, () => {
-    const mesh = new SurfaceMesh(surface);
+    const geometry = new SurfaceGeometry(surface);
     for (const eye of [[40.3, 30.3, 50.3], [-60.3, 1.3, 2.3], [1.3, 3.3, 2.3], [0.3, -25.3, 9.3]].map((place) => new Vector3(...place))) {
-      mesh.faceEye(eye);
+      geometry.faceEye(eye);
       const drawn = new Set();
-      for (const { geometry, visible } of mesh.object.children)
-        for (let i = 0; visible && i < geometry.drawRange.count; i += 6) drawn.add((geometry.drawRange.start + i) / 6);
-      const { position } = mesh.object.children[0].geometry.attributes;
-      const index = mesh.object.children[0].geometry.index.array;
+      for (const { buffer } of geometry.parts)
+        for (let i = 0; i < buffer.drawRange.count; i += 6) drawn.add((buffer.drawRange.start + i) / 6);
+      const [{ buffer }] = geometry.parts;
+      const { position } = buffer.attributes;
+      const index = buffer.index.array;
       const corner = (i) => new Vector3().fromBufferAttribute(position, index[i]);
       for (let i = 0; i < index.length; i += 6) {
         const [a, b, c] = [corner(i), corner(i + 1), corner(i + 2)];
@@ -95,15 +98,16 @@ for (const [name, surface] of Object.entries({ ball, ring })) {
 }
 
 test("new colours leave the geometry alone, and reach each surfel's texel", () => {
-  const mesh = new SurfaceMesh(ball);
-  const { geometry, material } = mesh.object.children[0];
+  const picture = new SurfelPicture(new SurfaceGeometry(ball));
+  const coloured = new SurfaceColours(picture);
+  const [{ buffer: geometry }] = picture.geometry.parts;
   const versions = () => [geometry.index, ...Object.values(geometry.attributes)].map(({ version }) => version);
   const before = versions();
   const colours = new Uint8Array(3 * ball.signs.length);
   ball.signs.forEach((_, surfel) => colours.set([surfel % 251, surfel >> 8, 7], 3 * surfel));
-  mesh.colour(colours);
+  coloured.colour(colours);
   assert.deepEqual(versions(), before);
-  const texels = material.uniforms.colours.value.image.data;
+  const texels = coloured.object.material.uniforms.colours.value.image.data;
   const { rectangle } = geometry.attributes;
   let number = 0;
   for (const { rectangles } of rectanglesOf(ball))
@@ -116,4 +120,22 @@ test("new colours leave the geometry alone, and reach each surfel's texel", () =
       });
       ++number;
     }
+});
+
+test("colours of one picture are their own, and share all else", () => {
+  const picture = new SurfelPicture(new SurfaceGeometry(ball));
+  const [red, blue] = [new SurfaceColours(picture), new SurfaceColours(picture)];
+  const colours = (colour) => Uint8Array.from({ length: 3 * ball.signs.length }, (_, i) => colour[i % 3]);
+  red.colour(colours([255, 0, 0]));
+  blue.colour(colours([0, 0, 255]));
+  const uniforms = ({ object }) => object.material.uniforms;
+  const first = (coloured) => [...uniforms(coloured).colours.value.image.data.slice(0, 3)];
+  assert.deepEqual([first(red), first(blue)], [[255, 0, 0], [0, 0, 255]]);
+  for (const name of ["surfels", "depths"]) assert.equal(uniforms(red)[name].value, uniforms(blue)[name].value);
+  let disposed = false;
+  picture.geometry.parts[0].buffer.addEventListener("dispose", () => (disposed = true));
+  red.dispose();
+  assert.ok(!disposed, "the other one still shows it");
+  picture.dispose();
+  assert.ok(disposed);
 });

@@ -1,52 +1,12 @@
-// A digital surface, drawn as rectangles of surfels that lie in one plane. Each fragment finds the colour of its surfel
-// in a texture, so new colours leave the geometry alone. Rectangles come in six groups, by the axis and sign of their
-// normals, each sorted along its axis: those that face the eye are one range of each group, about half of all, and
-// nothing else is drawn.
+// The shape of a digital surface, for all that is drawn on it: rectangles of surfels that lie in one plane, in six groups,
+// by the axis and sign of their normals, each sorted along its axis. Those that face the eye are one range of each group,
+// about half of all, and nothing else is drawn.
 
-import {
-  BufferAttribute,
-  BufferGeometry,
-  DataTexture,
-  GLSL3,
-  Group,
-  Mesh,
-  RawShaderMaterial,
-  UnsignedByteType,
-  RGBAFormat,
-} from "three";
+import { BufferAttribute, BufferGeometry } from "three";
 import { rectanglesOf } from "./rectangles.js";
 
-const shades = [0.86, 0.94, 1]; // by axis, so that steps can be told apart without lights
-const textureBits = 10; // texels of a row, as a power of two
 // Rectangles overlap by this part of half a cell: where a corner lies on another one's edge, rounding would leave holes.
 const overlap = 0.02;
-
-const vertexShader = `
-  uniform mat4 modelViewMatrix, projectionMatrix;
-  in vec3 position, rectangle;
-  in vec2 corner;
-  out vec2 place;
-  flat out vec3 inside;
-  void main() {
-    place = corner;
-    inside = rectangle;
-    gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
-  }`;
-
-const fragmentShader = `
-  precision highp float;
-  precision highp int;
-  uniform highp sampler2D colours;
-  uniform float shade;
-  in vec2 place;
-  flat in vec3 inside; // first texel, width, height
-  out vec4 colour;
-  void main() {
-    vec2 cell = clamp(floor(place), vec2(0.0), inside.yz - 1.0);
-    int texel = int(inside.x + cell.y * inside.y + cell.x);
-    ivec2 at = ivec2(texel & ${(1 << textureBits) - 1}, texel >> ${textureBits});
-    colour = vec4(shade * texelFetch(colours, at, 0).rgb, 1.0);
-  }`;
 
 /** The middle of the cells, and how far the farthest is from it. */
 export function extentOf(cells) {
@@ -106,22 +66,18 @@ function countBelow(numbers, limit) {
   return low;
 }
 
-export class SurfaceMesh {
+export class SurfaceGeometry {
   #middle;
-  #order; // of surfels in the texture
-  #texture;
-  #parts; // a mesh a group, with where its rectangles begin and their places along the axis
+  #parts; // with where the rectangles of a group begin and their places along the axis
 
   constructor(surface) {
-    const { cells, signs } = surface;
+    const { cells } = surface;
     const { middle, radius } = extentOf(cells);
     this.#middle = middle;
     this.radius = radius;
     const groups = rectanglesOf(surface);
-    this.#order = Uint32Array.from(groups.flatMap(({ rectangles }) => rectangles.flatMap(({ surfels }) => surfels)));
-    const width = 1 << textureBits;
-    const height = Math.ceil(signs.length / width);
-    this.#texture = new DataTexture(new Uint8Array(4 * width * height), width, height, RGBAFormat, UnsignedByteType);
+    /** The surfels in the order of the texels that their rectangles look up. */
+    this.order = Uint32Array.from(groups.flatMap(({ rectangles }) => rectangles.flatMap(({ surfels }) => surfels)));
 
     const buffers = buffersOf(cells, groups, middle);
     const attributes = {
@@ -132,44 +88,30 @@ export class SurfaceMesh {
     const index = new BufferAttribute(buffers.index, 1);
     let first = 0;
     this.#parts = groups.map(({ axis, sign, rectangles }) => {
-      const geometry = new BufferGeometry().setIndex(index);
-      for (const [name, attribute] of Object.entries(attributes)) geometry.setAttribute(name, attribute);
-      const uniforms = { colours: { value: this.#texture }, shade: { value: shades[axis] } };
-      const material = new RawShaderMaterial({ glslVersion: GLSL3, vertexShader, fragmentShader, uniforms });
-      const mesh = new Mesh(geometry, material);
-      mesh.frustumCulled = false;
+      const buffer = new BufferGeometry().setIndex(index);
+      for (const [name, attribute] of Object.entries(attributes)) buffer.setAttribute(name, attribute);
       const along = Uint16Array.from(rectangles, ({ surfels }) => cells[3 * surfels[0] + axis]);
       first += rectangles.length;
-      return { axis, sign, mesh, along, first: first - rectangles.length };
+      return { axis, sign, buffer, along, first: first - rectangles.length };
     });
-    this.object = new Group().add(...this.#parts.map(({ mesh }) => mesh));
   }
 
-  /** Three bytes a surfel, in the order of the surfels. */
-  colour(colours) {
-    const texels = this.#texture.image.data;
-    this.#order.forEach((surfel, texel) => {
-      for (let k = 0; k < 3; ++k) texels[4 * texel + k] = colours[3 * surfel + k];
-    });
-    this.#texture.needsUpdate = true;
+  /** A buffer a group, and the axis of its normals. */
+  get parts() {
+    return this.#parts.map(({ axis, buffer }) => ({ axis, buffer }));
   }
 
   /** Draws no more than what faces an eye there. */
   faceEye(eye) {
     const coordinates = eye.toArray();
-    for (const { axis, sign, mesh, along, first } of this.#parts) {
+    for (const { axis, sign, buffer, along, first } of this.#parts) {
       const below = countBelow(along, coordinates[axis] + this.#middle[axis]);
       const [from, count] = sign > 0 ? [0, below] : [below, along.length - below];
-      mesh.geometry.setDrawRange(6 * (first + from), 6 * count);
-      mesh.visible = count > 0;
+      buffer.setDrawRange(6 * (first + from), 6 * count);
     }
   }
 
   dispose() {
-    this.#texture.dispose();
-    for (const { mesh } of this.#parts) {
-      mesh.geometry.dispose();
-      mesh.material.dispose();
-    }
+    for (const { buffer } of this.#parts) buffer.dispose();
   }
 }
