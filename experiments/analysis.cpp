@@ -43,10 +43,6 @@ double median(std::vector<double> values) {
   return n % 2 ? values[n / 2] : (values[n / 2 - 1] + values[n / 2]) / 2;
 }
 
-std::string radius_text(const Setting& setting) {
-  return setting.takes_radius() ? fmt::format("{:.4g} h^{:.3g}", setting.k, setting.alpha) : "-";
-}
-
 /// The column of centres is only there where one is not the usual one.
 template <class Row>
 bool has_other_centres(const std::vector<Row>& rows) {
@@ -68,6 +64,10 @@ std::optional<double> expected_exponent(const Setting& setting, const std::strin
 std::optional<double> proven_exponent(double alpha) {
   const double exponent = std::min(alpha, 1 - 2 * alpha);
   return exponent > no_convergence ? std::optional(exponent) : std::nullopt;
+}
+
+std::string radius_text(const Setting& setting) {
+  return setting.takes_radius() ? fmt::format("{:.4g} h^{:.3g}", setting.k, setting.alpha) : "-";
 }
 
 std::vector<Convergence> convergence_of(const std::vector<Record>& records, std::uint64_t seed) {
@@ -129,7 +129,8 @@ std::vector<Cost> costs_of(const std::vector<Record>& records) {
                             middle([](const Record& x) { return x.seconds_eval; }),
                             middle([](const Record& x) { return x.work.cells_visited; }),
                             middle([](const Record& x) { return x.work.restarts; }),
-                            middle([](const Record& x) { return x.work.evaluations; })});
+                            middle([](const Record& x) { return x.work.evaluations; }),
+                            middle([](const Record& x) { return x.work.fallbacks; })});
     }
     costs.push_back(std::move(cost));
   }
@@ -340,7 +341,8 @@ ordered_json to_json(const std::vector<Cost>& costs) {
                        {"seconds_eval", s.seconds_eval},
                        {"cells_visited", s.cells_visited},
                        {"restarts", s.restarts},
-                       {"evaluations", s.evaluations}});
+                       {"evaluations", s.evaluations},
+                       {"fallbacks", s.fallbacks}});
     ordered_json json = setting_json(cost);
     json.update({{"evaluation", cost.evaluation.empty() ? ordered_json() : ordered_json(cost.evaluation)},
                  {"time_in_h", optional_json(growth(cost, kStep, kSeconds))},
