@@ -15,6 +15,7 @@
 #include "experiments/detail_study.hpp"
 #include "experiments/fallbacks.hpp"
 #include "experiments/memory.hpp"
+#include "experiments/noise_errors.hpp"
 #include "experiments/program/commands.hpp"
 #include "experiments/program/say.hpp"
 #include "experiments/program/study_options.hpp"
@@ -98,6 +99,7 @@ void run(const StudyOptions& options) {
       {"work-precision", work_precision_table(work_precision)},
       {"equal-error", equal_error_table(work_precision)},
       {"best-radius", best_radius_table(radius_scans_of(convergence))},
+      {"noise", noise_table(noise_errors_of(convergence))},
       {"fallbacks", fallbacks}};
   for (const auto& [name, table] : tables) {
     if (options.csv) write_whole(folder / (name + ".csv"), to_csv(table));
