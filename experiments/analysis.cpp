@@ -66,6 +66,10 @@ std::optional<double> proven_exponent(double alpha) {
   return exponent > no_convergence ? std::optional(exponent) : std::nullopt;
 }
 
+std::string shape_text(const Setting& setting) {
+  return setting.rotated ? setting.shape + ", rotated" : setting.shape;
+}
+
 std::string radius_text(const Setting& setting) {
   return setting.takes_radius() ? fmt::format("{:.4g} h^{:.3g}", setting.k, setting.alpha) : "-";
 }
@@ -167,7 +171,7 @@ Table convergence_table(const std::vector<Convergence>& series) {
       for (const double e : level.errors) sum += e;
       return sum / double(level.errors.size());
     };
-    std::vector<std::string> row{c.shape,
+    std::vector<std::string> row{shape_text(c),
                                  c.estimator,
                                  radius_text(c),
                                  c.quantity,
@@ -260,7 +264,7 @@ Table cost_table(const std::vector<Cost>& costs) {
           static_cast<const Setting&>(full) == cost && last.seconds_eval > 0)
         for (const Cost::Step& step : full.steps)
           if (step.h == last.h) ratio = fmt::format("{:.1f}x", step.seconds_eval / last.seconds_eval);
-    std::vector<std::string> row{cost.shape,
+    std::vector<std::string> row{shape_text(cost),
                                  cost.estimator,
                                  radius_text(cost),
                                  cost.evaluation.empty() ? "-" : cost.evaluation,

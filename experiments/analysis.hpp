@@ -41,6 +41,8 @@ struct Cost : Setting {
 };
 std::vector<Cost> costs_of(const std::vector<Record>& records);
 
+/// The shape as tables have it: what was digitized under rotations says so.
+std::string shape_text(const Setting& setting);
 /// The radius as tables have it, "5 h^0.333"; "-" without one.
 std::string radius_text(const Setting& setting);
 

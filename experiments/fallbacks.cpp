@@ -46,7 +46,7 @@ Table fallback_table(const std::vector<Fallbacks>& fallbacks) {
       steps.push_back(count.fallbacks == 0
                           ? fmt::format("{:.4g}: none", h)
                           : fmt::format("{:.4g}: {} of {}", h, count.fallbacks, count.surfels));
-    std::vector<std::string> row{entry.shape, entry.estimator, radius_text(entry),
+    std::vector<std::string> row{shape_text(entry), entry.estimator, radius_text(entry),
                                  fmt::format("{}", fmt::join(steps, ", "))};
     if (noisy) row.insert(row.begin() + 1, fmt::format("{:.3g}", entry.noise));
     table.rows.push_back(std::move(row));

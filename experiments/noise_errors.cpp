@@ -58,8 +58,8 @@ Table noise_table(const std::vector<NoiseErrors>& entries) {
     for (const NoiseErrors::At& level : entry.levels) betas.insert(level.beta);
   for (const double beta : betas) table.columns.push_back({fmt::format("{:.3g}", beta)});
   for (const NoiseErrors& entry : entries) {
-    std::vector<std::string> row{entry.shape,    entry.estimator, radius_text(entry),
-                                 entry.quantity, entry.norm,      fmt::format("{:.4g}", entry.h)};
+    std::vector<std::string> row{shape_text(entry), entry.estimator, radius_text(entry),
+                                 entry.quantity,    entry.norm,      fmt::format("{:.4g}", entry.h)};
     for (const double beta : betas) {
       const auto at = std::find_if(entry.levels.begin(), entry.levels.end(),
                                    [&](const NoiseErrors::At& level) { return level.beta == beta; });

@@ -675,7 +675,7 @@ class Study(InFolder):
     def test_outputs(self):
         self.write_study(STUDY)
         result = self.must_work("study", "small.json", "--out", "a/b", "--csv", "--latex")
-        tables = ["best-radius", "convergence", "cost", "equal-error", "fallbacks", "noise", "work-precision"]
+        tables = ["best-radius", "convergence", "cost", "equal-error", "fallbacks", "isotropy", "noise", "work-precision"]
         names = sorted([f"{t}.{e}" for t in tables for e in ("csv", "tex")] + self.results())
         self.assertEqual(sorted(os.listdir(self.folder / "a/b")), names, "and no journal")
         head, records = records_of(self.folder / "a/b/records.jsonl")

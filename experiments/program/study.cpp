@@ -14,6 +14,7 @@
 #include "experiments/core/provenance.hpp"
 #include "experiments/detail_study.hpp"
 #include "experiments/fallbacks.hpp"
+#include "experiments/isotropy.hpp"
 #include "experiments/memory.hpp"
 #include "experiments/noise_errors.hpp"
 #include "experiments/program/commands.hpp"
@@ -100,6 +101,7 @@ void run(const StudyOptions& options) {
       {"equal-error", equal_error_table(work_precision)},
       {"best-radius", best_radius_table(radius_scans_of(convergence))},
       {"noise", noise_table(noise_errors_of(convergence))},
+      {"isotropy", isotropy_table(isotropies_of(convergence))},
       {"fallbacks", fallbacks}};
   for (const auto& [name, table] : tables) {
     if (options.csv) write_whole(folder / (name + ".csv"), to_csv(table));
