@@ -37,6 +37,19 @@ const solid = {
   ],
 };
 
+const guarded = {
+  name: "guarded",
+  sweeps: [
+    {
+      shapes: ["torus:major=6,minor=2"],
+      estimators: ["ii-ho1", "ii-ho1-guarded"],
+      schedule: { values: [0.7, 0.5] },
+      shifts: 1,
+      rotate: true,
+    },
+  ],
+};
+
 export function runStudies() {
   const folder = mkdtempSync(join(tmpdir(), "gridstep-report-"));
   const gridstep = (...words) => execFileSync(program, words, { cwd: folder, stdio: ["ignore", "pipe", "pipe"], encoding: "utf8" });
@@ -49,7 +62,7 @@ export function runStudies() {
       records: readFileSync(join(folder, out, "records.jsonl"), "utf8").trim().split("\n").slice(1).map((line) => JSON.parse(line)),
     };
   };
-  const studies = { flat: study(flat, "flat"), solid: study(solid, "solid") };
+  const studies = { flat: study(flat, "flat"), solid: study(solid, "solid"), guarded: study(guarded, "guarded") };
   study({ ...flat, seed: 2 }, "again");
   gridstep("report", "flat", "again", "--out", "both.html");
   return { ...studies, both: join(folder, "both.html"), remove: () => rmSync(folder, { recursive: true }) };
