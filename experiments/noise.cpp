@@ -3,8 +3,9 @@
 namespace gridstep {
 
 /// How far Kanungo noise disturbs the estimates, of every estimator with its usual radius. Theory says nothing of noise:
-/// verdicts are on convergence at all. No estimator refuses a noisy boundary; those that follow each linel or face of it
-/// (maximal segments and arcs, corrected currents) give values that grow as h falls, which the table `noise` marks.
+/// verdicts are on convergence at all. No estimator refuses a noisy boundary; the errors of those that follow each linel
+/// (maximal segments and arcs) do not fall as h does, which the table `noise` marks, and corrected currents fail by far at
+/// few faces.
 StudyEntry describe_noise() {
   return {"noise",
           "all estimators on noisy digitizations: Kanungo noise, beta from 0 to 0.5, the largest component kept",
