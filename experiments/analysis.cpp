@@ -43,10 +43,6 @@ double median(std::vector<double> values) {
   return n % 2 ? values[n / 2] : (values[n / 2 - 1] + values[n / 2]) / 2;
 }
 
-std::string radius_text(const Setting& setting) {
-  return setting.takes_radius() ? fmt::format("{:.4g} h^{:.3g}", setting.k, setting.alpha) : "-";
-}
-
 /// The column of centres is only there where one is not the usual one.
 template <class Row>
 bool has_other_centres(const std::vector<Row>& rows) {
@@ -68,6 +64,14 @@ std::optional<double> expected_exponent(const Setting& setting, const std::strin
 std::optional<double> proven_exponent(double alpha) {
   const double exponent = std::min(alpha, 1 - 2 * alpha);
   return exponent > no_convergence ? std::optional(exponent) : std::nullopt;
+}
+
+std::string shape_text(const Setting& setting) {
+  return setting.rotated ? setting.shape + ", rotated" : setting.shape;
+}
+
+std::string radius_text(const Setting& setting) {
+  return setting.takes_radius() ? fmt::format("{:.4g} h^{:.3g}", setting.k, setting.alpha) : "-";
 }
 
 std::vector<Convergence> convergence_of(const std::vector<Record>& records, std::uint64_t seed) {
@@ -129,7 +133,8 @@ std::vector<Cost> costs_of(const std::vector<Record>& records) {
                             middle([](const Record& x) { return x.seconds_eval; }),
                             middle([](const Record& x) { return x.work.cells_visited; }),
                             middle([](const Record& x) { return x.work.restarts; }),
-                            middle([](const Record& x) { return x.work.evaluations; })});
+                            middle([](const Record& x) { return x.work.evaluations; }),
+                            middle([](const Record& x) { return x.work.fallbacks; })});
     }
     costs.push_back(std::move(cost));
   }
@@ -166,7 +171,7 @@ Table convergence_table(const std::vector<Convergence>& series) {
       for (const double e : level.errors) sum += e;
       return sum / double(level.errors.size());
     };
-    std::vector<std::string> row{c.shape,
+    std::vector<std::string> row{shape_text(c),
                                  c.estimator,
                                  radius_text(c),
                                  c.quantity,
@@ -259,7 +264,7 @@ Table cost_table(const std::vector<Cost>& costs) {
           static_cast<const Setting&>(full) == cost && last.seconds_eval > 0)
         for (const Cost::Step& step : full.steps)
           if (step.h == last.h) ratio = fmt::format("{:.1f}x", step.seconds_eval / last.seconds_eval);
-    std::vector<std::string> row{cost.shape,
+    std::vector<std::string> row{shape_text(cost),
                                  cost.estimator,
                                  radius_text(cost),
                                  cost.evaluation.empty() ? "-" : cost.evaluation,
@@ -340,7 +345,8 @@ ordered_json to_json(const std::vector<Cost>& costs) {
                        {"seconds_eval", s.seconds_eval},
                        {"cells_visited", s.cells_visited},
                        {"restarts", s.restarts},
-                       {"evaluations", s.evaluations}});
+                       {"evaluations", s.evaluations},
+                       {"fallbacks", s.fallbacks}});
     ordered_json json = setting_json(cost);
     json.update({{"evaluation", cost.evaluation.empty() ? ordered_json() : ordered_json(cost.evaluation)},
                  {"time_in_h", optional_json(growth(cost, kStep, kSeconds))},

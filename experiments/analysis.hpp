@@ -33,12 +33,18 @@ std::vector<Convergence> convergence_of(const std::vector<Record>& records, std:
 /// The cost of one way of evaluation along a schedule, as medians over the shifts.
 struct Cost : Setting {
   struct Step {
-    double h, digital_radius, surfels, seconds_init, seconds_eval, cells_visited, restarts, evaluations;
+    double h, digital_radius, surfels, seconds_init, seconds_eval, cells_visited, restarts, evaluations,
+        fallbacks;
   };
   std::string evaluation;
   std::vector<Step> steps;
 };
 std::vector<Cost> costs_of(const std::vector<Record>& records);
+
+/// The shape as tables have it: what was digitized under rotations says so.
+std::string shape_text(const Setting& setting);
+/// The radius as tables have it, "5 h^0.333"; "-" without one.
+std::string radius_text(const Setting& setting);
 
 /// Slopes and verdicts, one row a series.
 Table convergence_table(const std::vector<Convergence>& series);

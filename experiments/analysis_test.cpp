@@ -223,6 +223,14 @@ TEST(ConvergenceTable, ShowsErrorsSlopesAndVerdicts) {
   EXPECT_EQ(row[column(table, "verdict")], "consistent");
 }
 
+TEST(ConvergenceTable, TellsRotatedShapesApart) {
+  const auto series = convergence_of(records({}) + records({.rotated = true}), 1);
+  const Table table = convergence_table(series);
+  ASSERT_EQ(table.rows.size(), 6u);
+  EXPECT_EQ(table.rows[0][column(table, "shape")], "disk:radius=5");
+  EXPECT_EQ(table.rows[3][column(table, "shape")], "disk:radius=5, rotated");
+}
+
 TEST(ConvergenceTable, HasColumnsForNoiseAndCentreWhereTheyDiffer) {
   const auto titles = [](const Table& table) {
     std::vector<std::string> result;

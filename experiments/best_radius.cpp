@@ -67,9 +67,9 @@ Table best_radius_table(const std::vector<RadiusScan>& scans) {
     const char* const mark = scan.k == scan.errors.front().first  ? "<"
                              : scan.k == scan.errors.back().first ? ">"
                                                                   : "";
-    table.rows.push_back({scan.shape, scan.estimator, scan.quantity, scan.norm, fmt::format("{:.4g}", scan.h),
-                          fmt::format("{}{:.4g}", mark, scan.k), fmt::format("{:.4g}", scan.least_error),
-                          fmt::format("{}", fmt::join(all, ", "))});
+    table.rows.push_back({shape_text(scan), scan.estimator, scan.quantity, scan.norm,
+                          fmt::format("{:.4g}", scan.h), fmt::format("{}{:.4g}", mark, scan.k),
+                          fmt::format("{:.4g}", scan.least_error), fmt::format("{}", fmt::join(all, ", "))});
   }
   return table;
 }

@@ -157,8 +157,9 @@ Study Study::read(const nlohmann::json& json, const std::string& source) {
   if (reader.has("tables")) study.tables = reader.texts("tables");
   for (const std::string& table : study.tables)
     if (table != "convergence" && table != "cost" && table != "work-precision" && table != "equal-error" &&
-        table != "best-radius")
-      reader.fail("tables", "a list of convergence, cost, work-precision, equal-error, best-radius");
+        table != "best-radius" && table != "noise" && table != "isotropy")
+      reader.fail("tables",
+                  "a list of convergence, cost, work-precision, equal-error, best-radius, noise, isotropy");
   for (JsonReader& sweep : reader.objects("sweeps")) study.sweeps.push_back(read_sweep(sweep));
   if (study.sweeps.empty()) reader.fail("sweeps", "a list with at least one entry");
   reader.finish();

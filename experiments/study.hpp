@@ -45,7 +45,7 @@ struct Study {
   std::string name, description;
   std::uint64_t seed = 1;
   bool timing = false;  ///< evaluations on one thread and repeated, for times that can be compared
-  std::vector<std::string> tables;  ///< to print: convergence, cost, work-precision, equal-error, best-radius
+  std::vector<std::string> tables;  ///< to print: convergence, cost, work-precision, equal-error, best-radius, noise, isotropy
   std::vector<Sweep> sweeps;
 
   /// From JSON as documented in results/README.md. Everything is checked here: names, parameters, R/h >= 1 at

@@ -106,7 +106,7 @@ TEST(Study, NamesTheKeyAndTheValueThatAreWrong) {
       {R"({"seed": "1"})", "seed = \"1\" must be an integer from 0 to 2^64 - 1"},
       {R"({"timing": 1})", "timing = 1 must be true or false"},
       {R"({"tables": ["cots"]})",
-       "tables = [\"cots\"] must be a list of convergence, cost, work-precision, equal-error, best-radius"},
+       "tables = [\"cots\"] must be a list of convergence, cost, work-precision, equal-error, best-radius, noise, isotropy"},
       {R"({"sweeps": null})", "key 'sweeps' is missing"},
       {R"({"sweeps": []})", "sweeps = [] must be a list with at least one entry"},
       {R"({"sweeps": {}})", "sweeps = {} must be a list of objects"},

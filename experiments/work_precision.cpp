@@ -33,11 +33,12 @@ std::vector<Comparison> comparisons_of(const std::vector<WorkPrecision>& curves)
   std::vector<Comparison> result;
   for (const WorkPrecision& curve : curves) {
     auto found = std::find_if(result.begin(), result.end(), [&](const Comparison& c) {
-      return std::tie(c.shape, c.quantity, c.norm, c.noise) ==
-             std::tie(curve.shape, curve.quantity, curve.norm, curve.noise);
+      return c.shape == shape_text(curve) &&
+             std::tie(c.quantity, c.norm, c.noise) == std::tie(curve.quantity, curve.norm, curve.noise);
     });
     if (found == result.end())
-      found = result.insert(found, Comparison{curve.shape, curve.quantity, curve.norm, curve.noise, {}});
+      found =
+          result.insert(found, Comparison{shape_text(curve), curve.quantity, curve.norm, curve.noise, {}});
     found->curves.push_back(&curve);
   }
   std::erase_if(result, [](const Comparison& c) { return c.curves.size() < 2; });

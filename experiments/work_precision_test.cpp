@@ -15,6 +15,7 @@ struct Manufactured {
   std::string estimator;
   double C, p, t, q;
   double noise = 0;
+  bool rotated = false;
 };
 
 std::vector<WorkPrecision> curves(const std::vector<Manufactured>& all) {
@@ -26,6 +27,7 @@ std::vector<WorkPrecision> curves(const std::vector<Manufactured>& all) {
         r.shape = "disk";
         r.estimator = m.estimator;
         r.noise = m.noise;
+        r.rotated = m.rotated;
         r.evaluation = evaluation;
         r.h = h;
         r.k = 1;
@@ -52,6 +54,14 @@ TEST(WorkPrecision, TakesTheFastestEvaluationAndTheMeanError) {
     EXPECT_NEAR(result[0].points[i].error, std::pow(kSteps[i], 0.25), 1e-15);
     EXPECT_NEAR(result[1].points[i].error, std::pow(kSteps[i], 0.25) / 2, 1e-15);
   }
+}
+
+TEST(WorkPrecision, TellsRotatedShapesApart) {
+  const Manufactured slow{"slow", 2, 0.25, 0.001, 1, 0, true}, good{"good", 2, 0.5, 0.01, 1.5, 0, true};
+  const Table table = equal_error_table(curves({kSlow, kGood, slow, good}));
+  ASSERT_EQ(table.rows.size(), 18u) << "three norms and steps, twice";
+  EXPECT_EQ(table.rows.front()[0], "disk");
+  EXPECT_EQ(table.rows.back()[0], "disk, rotated");
 }
 
 TEST(WhereReached, InterpolatesPowersExactly) {

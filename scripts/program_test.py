@@ -683,7 +683,7 @@ class Study(InFolder):
     def test_outputs(self):
         self.write_study(STUDY)
         result = self.must_work("study", "small.json", "--out", "a/b", "--csv", "--latex")
-        tables = ["best-radius", "convergence", "cost", "equal-error", "work-precision"]
+        tables = ["best-radius", "convergence", "cost", "equal-error", "fallbacks", "isotropy", "noise", "work-precision"]
         names = sorted([f"{t}.{e}" for t in tables for e in ("csv", "tex")] + self.results())
         self.assertEqual(sorted(os.listdir(self.folder / "a/b")), names, "and no journal")
         head, records = records_of(self.folder / "a/b/records.jsonl")
@@ -706,7 +706,24 @@ class Study(InFolder):
         self.assertIn(r"\toprule", (self.folder / "a/b/convergence.tex").read_text())
         self.assertIn("written: a/b/records.jsonl", result.stdout)
         self.assertEqual(result.stdout.count("report.html"), 1, "that it is written, or that it is not")
+        self.assertNotIn("Fallbacks", result.stdout, "as no estimator here has any")
         self.assertIn("100%", result.stderr)
+
+    def test_fallbacks_are_told(self):
+        sweep = {
+            "shapes": ["torus:major=6,minor=2"],
+            "estimators": ["ii-ho1-guarded"],
+            "schedule": {"values": [0.5]},
+            "shifts": 1,
+        }
+        self.write_study({"name": "small", "sweeps": [sweep]})
+        result = self.must_work("study", "small.json", "--out", "a", "--csv")
+        work = records_of(self.folder / "a/records.jsonl")[1][0]["work"]
+        self.assertGreater(work["fallbacks"], 0)
+        self.assertRegex(result.stdout, rf"Fallbacks[^$]*0\.5: {work['fallbacks']} of \d+")
+        self.assertIn(f"0.5: {work['fallbacks']} of", (self.folder / "a/fallbacks.csv").read_text())
+        summary = json.loads((self.folder / "a/summary.json").read_text())
+        self.assertEqual(summary["cost"][0]["steps"][0]["fallbacks"], work["fallbacks"])
 
     def test_json(self):
         self.write_study(STUDY)

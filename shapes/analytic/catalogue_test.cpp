@@ -395,7 +395,7 @@ TEST_P(GaussBonnet, TotalGaussianCurvatureIsTopological) {
 INSTANTIATE_TEST_SUITE_P(Surfaces, GaussBonnet,
                          testing::Values(Topology{"sphere", 2}, Topology{"ellipsoid", 2},
                                          Topology{"goursat", 2}, Topology{"rounded-cube", 2},
-                                         Topology{"torus", 0}),
+                                         Topology{"star", 2}, Topology{"torus", 0}),
                          [](const auto& topology) {
                            return test_name({topology.param.shape, topology.index});
                          });

@@ -4,6 +4,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -13,8 +14,14 @@
 namespace gridstep {
 
 template <int d>
-ImplicitShape<d>::ImplicitShape(const RealPoint<d>& centre, Formula formula, const RealBox<d>& box, bool cut)
-    : Shape<d>(centre), formula_(std::move(formula)), box_(box), cut_(cut), size_(box.diagonal().norm() / 2) {
+ImplicitShape<d>::ImplicitShape(const RealPoint<d>& centre, Formula formula, const RealBox<d>& box, bool cut,
+                                LeftOut<d> left_out)
+    : Shape<d>(centre),
+      formula_(std::move(formula)),
+      box_(box),
+      cut_(cut),
+      left_out_(std::move(left_out)),
+      size_(box.diagonal().norm() / 2) {
   expects(formula_.variables() <= d, "a formula in the variables of the space");
   const RealPoint<d> far = 2 * box_.min().cwiseAbs().cwiseMax(box_.max().cwiseAbs());
   rounding_ = 1e-13 * formula_.magnitude({far.data(), d});
@@ -108,6 +115,12 @@ bool ImplicitShape<d>::is_singular(const Jet2<d>& f) const {
 /// Relative residuals up to which a foot is a foot, and up to which it is one that its polynomial leaves
 /// unresolved.
 constexpr double kResolved = 5e-13, kResolvedAtAll = 1e-9;
+
+template <int d>
+bool ImplicitShape<d>::is_left_out(const RealPoint<d>& p) const {
+  return std::any_of(left_out_.points.begin(), left_out_.points.end(),
+                     [&](const RealPoint<d>& point) { return (p - point).norm() < left_out_.distance; });
+}
 
 /// Newton's method on q + t grad f(q) = query, f(q) = 0.
 template <int d>
@@ -398,7 +411,7 @@ std::optional<BoundaryPoint<d>> ImplicitShape<d>::local_project(const RealPoint<
   }
   if (cut && (!best || cut->distance < (best->position - query).norm())) return cut;
   if (!best) throw UncertifiedProjection("no closest point found on {" + formula_.text() + " <= 0}");
-  if (best->singular) return std::nullopt;
+  if (best->singular || is_left_out(best->position)) return std::nullopt;
   return boundary_point(query, *best);
 }
 

@@ -6,6 +6,13 @@
 
 namespace gridstep {
 
+/// Parts of a boundary that count as singular: those within a distance of some points.
+template <int d>
+struct LeftOut {
+  std::vector<RealPoint<d>> points;
+  double distance = 0;
+};
+
 /// The region {f <= 0} of a polynomial f, within a box.
 ///
 /// Its boundary is singular where the gradient of f vanishes. Where the box cuts {f <= 0} (`cut`), the faces
@@ -14,7 +21,8 @@ template <int d>
 class ImplicitShape final : public Shape<d> {
  public:
   /// {f <= 0}, known to lie in the box, or cut by it.
-  ImplicitShape(const RealPoint<d>& centre, Formula formula, const RealBox<d>& box, bool cut = false);
+  ImplicitShape(const RealPoint<d>& centre, Formula formula, const RealBox<d>& box, bool cut = false,
+                LeftOut<d> left_out = {});
 
  protected:
   RealBox<d> local_bounds() const override { return box_; }
@@ -42,10 +50,12 @@ class ImplicitShape final : public Shape<d> {
   BoundaryPoint<d> boundary_point(const RealPoint<d>& query, const Foot& foot) const;
   std::optional<BoundaryPoint<d>> nearest_cut(const RealPoint<d>& query) const;
   bool is_singular(const Jet2<d>& f) const;
+  bool is_left_out(const RealPoint<d>& p) const;
 
   Formula formula_;
   RealBox<d> box_;
   bool cut_;
+  LeftOut<d> left_out_;
   double size_;
   RealBox<d> neighbourhood_;  // of the box, over which the norm of the Hessian is at most
   double greatest_hessian_;

@@ -20,4 +20,9 @@ inline ShapeEntry polynomial_entry(const std::string& name, const std::string& f
           })};
 }
 
+/// {formula <= 0}, enlarged by a factor. The formula has no letters but x, y, z.
+std::unique_ptr<ImplicitShape<3>> enlarged_polynomial(const std::string& formula, double factor,
+                                                      const RealPoint<3>& centre,
+                                                      const LeftOut<3>& left_out = {});
+
 }  // namespace gridstep

@@ -10,7 +10,8 @@ namespace gridstep {
 /// Over the part of the ball below a boundary z = delta - (k1 u^2 + k2 v^2) / 2 + ..., the integral of g depends on
 /// delta, how far the ball's centre is from the boundary, through the moment of order 0 of g over the disc z = 0; on
 /// curvature through that of order 2; on derivatives of curvature through those of order 4, 6, ... A kernel whose
-/// unwanted moments vanish does not see them: what a kernel of higher order is to density estimation.
+/// unwanted moments vanish does not see them: what a kernel of higher order is to density estimation. README.md beside this
+/// file has the derivation.
 struct RadialKernel {
   int edge_power = 0;                ///< p: how smoothly g ends at the ball's boundary
   std::vector<double> coefficients;  ///< c_0, c_1, ...

@@ -1,7 +1,7 @@
 // Error curves, slopes, times and their table: what the form at the top asks for.
 
 import { showCurves } from "./curve_list.js";
-import { curvesOf, entryOf } from "./curves.js";
+import { curvesOf, entryOf, fallbackShare } from "./curves.js";
 import { byId } from "./elements.js";
 import { drawErrors } from "./errors_chart.js";
 import { drawScan } from "./scan_chart.js";
@@ -21,9 +21,10 @@ export function startConvergence(studies) {
 
   function showTable() {
     const everything = byId("everything").checked;
+    const row = (curve, entry) => ({ ...entry, study: curve.study, fallbacks: fallbackShare(curve, entry.levels.at(-1).h) });
     const series = everything
-      ? curves.flatMap((curve) => curve.convergence.map((entry) => ({ ...entry, study: curve.study })))
-      : selection.curves.map((curve) => ({ ...entryOf(curve.convergence, selection), study: curve.study }));
+      ? curves.flatMap((curve) => curve.convergence.map((entry) => row(curve, entry)))
+      : selection.curves.map((curve) => row(curve, entryOf(curve.convergence, selection)));
     table.show(series);
   }
 

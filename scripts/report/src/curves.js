@@ -35,6 +35,12 @@ export function entryOf(entries, { quantity, norm }) {
   return entries.find((entry) => entry.quantity === quantity && entry.norm === norm);
 }
 
+/** The share of the surfels at which a guard took another kernel, at h. */
+export function fallbackShare(curve, h) {
+  const step = curve.costs.flatMap(({ steps }) => steps).find((other) => other.h === h);
+  return step?.fallbacks ? step.fallbacks / step.surfels : 0;
+}
+
 const shapeName = (shape) => shape.split(":")[0];
 
 const parts = [

@@ -11,7 +11,7 @@ const finestError = (row) => meansOf(row).at(-1)?.mean ?? 0;
 // title, what is sorted by, what is shown where that is something else
 const columns = [
   { title: "study", value: (row) => row.study, only: (rows) => new Set(rows.map((row) => row.study)).size > 1 },
-  { title: "shape", value: (row) => row.shape },
+  { title: "shape", value: (row) => (row.rotated ? `${row.shape}, rotated` : row.shape) },
   { title: "estimator", value: (row) => row.estimator },
   { title: "R", value: (row) => row.k ?? -1, show: (row) => radiusText(row).replace("R = ", "") || "–" },
   { title: "noise", value: (row) => row.noise, only: (rows) => rows.some((row) => row.noise > 0) },
@@ -19,6 +19,12 @@ const columns = [
   { title: "norm", value: (row) => row.norm },
   { title: "finest h", value: (row) => finest(row).h, show: (row) => stepText(finest(row).h) },
   { title: "error there", value: finestError, show: (row) => errorText(finestError(row)) },
+  {
+    title: "fallbacks there",
+    value: (row) => row.fallbacks,
+    show: (row) => (row.fallbacks > 0 ? `${(100 * row.fallbacks).toPrecision(3)} %` : "none"),
+    only: (rows) => rows.some((row) => row.fallbacks > 0),
+  },
   { title: "slope", value: (row) => row.slope, show: (row) => slopeText(row.slope) },
   { title: "95 %", value: (row) => row.interval[0] ?? -Infinity, show: (row) => intervalText(row.interval) },
   { title: "robust", value: (row) => row.theil_sen, show: (row) => slopeText(row.theil_sen) },

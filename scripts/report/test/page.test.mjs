@@ -126,6 +126,23 @@ describe("what is shown", () => {
       assert.ok(await title.evaluate((button) => button === document.activeElement), "the title keeps the focus");
     }));
 
+  test("the table says where a guard fell back, and what was rotated", () =>
+    withPage(studies.guarded.page, {}, async (page) => {
+      await page.locator("#everything").check();
+      const cells = async (title) => {
+        const titles = await page.locator("#slopes th").allTextContents();
+        return page.locator(`#slopes tbody td:nth-child(${titles.indexOf(title) + 1})`).allTextContents();
+      };
+      const { work, surfels } = studies.guarded.records.find((r) => r.estimator === "ii-ho1-guarded" && r.h === 0.5);
+      const share = `${((100 * work.fallbacks) / surfels).toPrecision(3)} %`;
+      const estimators = await cells("estimator");
+      assert.deepEqual(
+        await cells("fallbacks there"),
+        estimators.map((name) => (name === "ii-ho1-guarded" ? share : "none")),
+      );
+      assert.ok((await cells("shape")).every((shape) => shape === "torus:major=6,minor=2, rotated"));
+    }));
+
   test("provenance is there, and texts are texts", () =>
     withPage(studies.flat.page, {}, async (page) => {
       assert.equal(await page.locator("#subtitle").textContent(), "Two shapes</script><b>bold</b>");

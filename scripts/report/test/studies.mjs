@@ -45,6 +45,19 @@ const radii = {
 
 const large = { name: "large", detail: { shape: "sphere:radius=19", h: 0.15, estimator: "ii", digital_radii: [2] } };
 
+const guarded = {
+  name: "guarded",
+  sweeps: [
+    {
+      shapes: ["torus:major=6,minor=2"],
+      estimators: ["ii-ho1", "ii-ho1-guarded"],
+      schedule: { values: [0.7, 0.5] },
+      shifts: 1,
+      rotate: true,
+    },
+  ],
+};
+
 export function runStudies() {
   const folder = mkdtempSync(join(tmpdir(), "gridstep-report-"));
   const gridstep = (...words) => execFileSync(program, words, { cwd: folder, stdio: ["ignore", "pipe", "pipe"], encoding: "utf8" });
@@ -61,7 +74,13 @@ export function runStudies() {
       records: records.map((line) => JSON.parse(line)),
     };
   };
-  const studies = { flat: study(flat, "flat"), solid: study(solid, "solid"), radii: study(radii, "radii"), large: study(large, "large") };
+  const studies = {
+    flat: study(flat, "flat"),
+    solid: study(solid, "solid"),
+    guarded: study(guarded, "guarded"),
+    radii: study(radii, "radii"),
+    large: study(large, "large"),
+  };
   study({ ...flat, seed: 2 }, "again");
   gridstep("report", "flat", "again", "--out", "both.html");
   gridstep("report", "solid", "radii", "--out", "mixed.html");
