@@ -43,30 +43,31 @@ TEST(GuardedHigherOrder, IsHigherOrderWhereTheBallFits) {
 }
 
 TEST(GuardedHigherOrder, FallsBackWhereTheBallSwallowsATube) {
-  // The tube is 9 across: balls of radius 12 and 10.7 do not fit, and `ii-pf1` has one of 7.1.
+  // The tube is 9 across: balls of radius 12, 10.7, 9.8 and 8.9 do not fit, and `ii-pf1` has one of 7.1.
   const auto set = tube(4.3);
   const Guarded guarded(set, 12);
   const auto surfels = boundary(set);
   for (std::size_t i = 0; i < surfels.size(); ++i)
     if (std::abs(surfels[i].inner[0]) < 15) {
-      EXPECT_EQ(guarded.attempts[i], 2);
+      EXPECT_EQ(guarded.attempts[i], 4);
       EXPECT_NEAR(guarded.estimates["mean"][i], 1 / 8.6, 0.06);
     }
   EXPECT_GT(guarded.work.fallbacks, std::int64_t(surfels.size() / 2));
 }
 
 TEST(GuardedHigherOrder, TakesASmallerBallBeforeAnotherKernel) {
-  // Across a tube of radius 7, the pole of a ball of radius 16 is outside, and that of 14.2 inside at many surfels.
+  // The tube is 14 to 15 across: 1.13 times 15.7, 14.0 and 12.8 is more, mostly, and times 11.6 less.
   const auto set = tube(7);
-  const Guarded guarded(set, 16);
+  const Guarded guarded(set, 15.7);
   const auto surfels = boundary(set);
-  int smaller = 0;
+  int inner = 0, smaller = 0;
   for (std::size_t i = 0; i < surfels.size(); ++i)
     if (std::abs(surfels[i].inner[0]) < 12) {
+      ++inner;
       EXPECT_GT(guarded.attempts[i], 0);
-      smaller += guarded.attempts[i] == 1;
+      smaller += guarded.attempts[i] == 3;
     }
-  EXPECT_GT(smaller, 100);
+  EXPECT_GT(smaller, 0.9 * inner);
 }
 
 }  // namespace

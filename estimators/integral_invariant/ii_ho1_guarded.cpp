@@ -12,16 +12,16 @@ struct Attempt {
   const char* estimator;
   double part;  // of R
 };
-// The second is the least ball with which ii-ho1 is less noisy than ii-pf1 with its usual one; parts are those of the
-// usual k: 6, and 4, of 6.75.
+// Parts are those of the usual k: 6, 5.5, 5, and 4, of 6.75. Below 5, ii-ho1 is noisier than ii-pf1 with its usual ball.
 constexpr std::array kAttempts{Attempt{"ii-ho1", 1}, Attempt{"ii-ho1", 6 / 6.75},
+                               Attempt{"ii-ho1", 5.5 / 6.75}, Attempt{"ii-ho1", 5 / 6.75},
                                Attempt{"ii-pf1", 4 / 6.75}};
 
 /// `ii-ho1` with a guard: where the ball has outgrown the feature, a smaller one, and then `ii-pf1`, which needs less of it.
 ///
-/// A ball fits at a surfel where the set goes on below it, and is empty above it, as far as the ball does: along the
-/// estimated normal, points at four distances up to R are inside on one side, outside on the other. A tube swallowed by
-/// the ball fails, whatever its curvature. The decision is made for each surfel from what is around it alone; `raw()` has
+/// A ball fits at a surfel where the set goes on below it, and is empty above it, further than the ball does: along the
+/// estimated normal, points at four distances up to 1.13 R are inside on one side, outside on the other. A tube that the
+/// ball comes near to swallowing fails, whatever its curvature: on a torus, errors are least where R is .87 of its width. The decision is made for each surfel from what is around it alone; `raw()` has
 /// the number of the attempt that was taken, EstimatorWork::fallbacks how often it was not the first.
 ///   Cost  that of `ii-ho1`, and of the other attempts where it does not fit.
 class GuardedHigherOrder final : public Estimator<3> {
@@ -33,12 +33,10 @@ class GuardedHigherOrder final : public Estimator<3> {
   }
 
   void init(GridStep h, EuclideanLength R) override {
-    for (std::size_t i = 0; i < kAttempts.size(); ++i) {
-      // The first ball decides whether R is refused; smaller ones stop at one cell.
-      radii_[i] = i == 0 ? R : EuclideanLength{std::max(kAttempts[i].part * R.value, h.value)};
-      attempts_[i]->init(h, radii_[i]);
-    }
     h_ = h;
+    R_ = R;
+    ready_ = 0;
+    prepare(0);
   }
 
   Estimates eval(std::span<const Surfel<3>> surfels) override {
@@ -50,6 +48,7 @@ class GuardedHigherOrder final : public Estimator<3> {
     for (std::size_t attempt = 1; attempt < kAttempts.size() && !open.empty(); ++attempt) {
       std::vector<Surfel<3>> rest;
       for (const std::size_t i : open) rest.push_back(surfels[i]);
+      prepare(attempt);
       const Estimates estimates = attempts_[attempt]->eval(rest);
       work_.evaluations += attempts_[attempt]->work().evaluations;
       work_.cells_visited += attempts_[attempt]->work().cells_visited;
@@ -69,19 +68,26 @@ class GuardedHigherOrder final : public Estimator<3> {
   EstimatorWork work() const override { return work_; }
 
  private:
+  /// The first ball decides whether R is refused; smaller ones stop at one cell, and have no tables before they are needed.
+  EuclideanLength radius(std::size_t attempt) const {
+    return {attempt == 0 ? R_.value : std::max(kAttempts[attempt].part * R_.value, h_.value)};
+  }
+  void prepare(std::size_t attempt) {
+    for (; ready_ <= attempt; ++ready_) attempts_[ready_]->init(h_, radius(ready_));
+  }
   std::vector<std::size_t> misfits(const Estimates& estimates, std::span<const Surfel<3>> surfels,
                                    std::size_t attempt) const {
     const std::array normal{&estimates["normal_x"], &estimates["normal_y"], &estimates["normal_z"]};
     std::vector<std::size_t> result;
     for (std::size_t i = 0; i < surfels.size(); ++i) {
       const RealPoint<3> n{(*normal[0])[i], (*normal[1])[i], (*normal[2])[i]};
-      if (!fits(centre(surfels[i], {1}), n, radii_[attempt].value / h_.value)) result.push_back(i);
+      if (!fits(centre(surfels[i], {1}), n, to_digital(radius(attempt), h_).value)) result.push_back(i);
     }
     return result;
   }
   bool fits(const RealPoint<3>& c, const RealPoint<3>& normal, double radius) const {
     // No simple fractions: along an axis, they would often end half-way between two lattice points.
-    for (const double part : {0.26, 0.51, 0.76, 0.99})
+    for (const double part : {0.29, 0.57, 0.86, 1.13})
       for (const int side : {-1, 1})
         if (set_.contains(nearest(c + side * part * radius * normal)) != (side < 0)) return false;
     return true;
@@ -90,8 +96,9 @@ class GuardedHigherOrder final : public Estimator<3> {
 
   const DigitalSet<3>& set_;
   std::array<std::unique_ptr<Estimator<3>>, kAttempts.size()> attempts_;
-  std::array<EuclideanLength, kAttempts.size()> radii_{};
+  std::size_t ready_ = 0;  // attempts that are
   GridStep h_{};
+  EuclideanLength R_{};
   Estimates raw_;
   EstimatorWork work_;
 };
@@ -105,7 +112,7 @@ EstimatorEntry describe_ii_ho1_guarded() {
     return std::make_unique<GuardedHigherOrder>(set, options);
   };
   variant.usual_k = 6.75;
-  variant.table_memory = [](DigitalLength radius) {  // of the three attempts
+  variant.table_memory = [](DigitalLength radius) {  // of all attempts
     const auto& one = find_estimator("ii-ho1").variant<3>().table_memory;
     double bytes = 0;
     for (const Attempt& attempt : kAttempts) bytes += one({attempt.part * radius.value});
