@@ -263,7 +263,8 @@ template <int d>
 void IsPositiveOnAConvexSet(const Row& row) {
   const auto set = ball_set<d>(d == 2 ? 30 : 20);
   const auto surfels = boundary(set);
-  const Estimates estimates = row.eval<d>(set, surfels, d == 2 ? 12 : 10);
+  // A ball large enough for the noisiest kernel.
+  const Estimates estimates = row.eval<d>(set, surfels, d == 2 ? 18 : 14);
   for (std::size_t c = 0; c < estimates.columns.size(); ++c) {
     if (is_vector(estimates.quantities[c])) continue;
     for (const double value : estimates.columns[c]) EXPECT_GT(value, 0) << estimates.quantities[c];
@@ -310,6 +311,11 @@ void OrientsTheNormalEvenForTheSmallestKernels(const Row& row) {
   }
 }
 
+/// The kernels of ii-ho2 change their signs two or three times, which a ball of two cells does not resolve.
+double times_radius(const Row& row) {
+  return row.estimator == "ii-ho2" ? 2 : 1;
+}
+
 template <int d>
 void OrientsTheNormalInAHollow(const Row& row) {
   const auto hollow =
@@ -318,7 +324,7 @@ void OrientsTheNormalInAHollow(const Row& row) {
   for (const Surfel<d>& surfel : boundary(hollow))
     if (centre(surfel, 1).norm() < 11) inside.push_back(surfel);
   for (const double R : {2.0, 3.1}) {
-    const Estimates estimates = row.eval<d>(hollow, inside, R);
+    const Estimates estimates = row.eval<d>(hollow, inside, R * times_radius(row));
     if (!has(estimates, "normal_x")) return;
     for (std::size_t i = 0; i < inside.size(); ++i)
       EXPECT_LT(vector_at<d>(estimates, "normal", i).dot(centre(inside[i], 1).normalized()), -0.6) << R;

@@ -19,18 +19,18 @@ std::string study(const char* steps_2d, int shifts_2d, const char* steps_3d, int
   "sweeps": [{{
     "shapes": ["ellipse:a=20,b=7,angle=0.3", "flower:radius=20,amplitude=5,petals=5",
                "flower:radius=20,amplitude=10,petals=6,phase=3", "lpball:radius=15,power=4"],
-    "estimators": ["ii", "ii-parameter-free", "ii-pf1", "ii-ho1", "mdca", "lambda-mdca", "bc", "mdss-length"],
+    "estimators": ["ii", "ii-parameter-free", "ii-pf1", "ii-ho1", "ii-ho2", "mdca", "lambda-mdca", "bc", "mdss-length"],
     "schedule": {{"values": [{steps_2d}]}},
     "shifts": {shifts_2d}
   }}, {{
     "shapes": ["sphere:radius=9", "ellipsoid:a=9,b=7,c=5", "goursat", "torus:major=6,minor=2", "rounded-cube:radius=9",
                "polynomial:0.0081*(x^4+y^4+z^4)-0.45*(x^2+y^2+z^2)-6", "star", "heart:radius=9,away=4.5"],
-    "estimators": ["ii", "ii-covariance", "ii-pf1", "ii-ho1", "ii-ho1-guarded", "icnc", "ccnc", "vcm"],
+    "estimators": ["ii", "ii-covariance", "ii-pf1", "ii-ho1", "ii-ho1-guarded", "ii-ho2", "icnc", "ccnc", "vcm"],
     "schedule": {{"values": [{steps_3d}]}},
     "shifts": {shifts_3d}
   }}, {{
     "shapes": ["ellipsoid:a=9,b=7,c=5"],
-    "estimators": ["ii", "ii-pf1", "ii-ho1", "icnc"],
+    "estimators": ["ii", "ii-pf1", "ii-ho1", "ii-ho2", "icnc"],
     "schedule": {{"values": [{steps_3d}]}},
     "rotate": true,
     "shifts": {shifts_3d}

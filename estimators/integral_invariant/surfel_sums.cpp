@@ -2,8 +2,30 @@
 
 #include "estimators/integral_invariant/distinct_points.hpp"
 #include "estimators/integral_invariant/indicator.hpp"
+#include "shapes/base/parallel.hpp"
 
 namespace gridstep {
+
+namespace {
+
+/// The spels that insert(i, spels, memos) puts into `spels`, for each i below `size`, numbered.
+template <int d, class Insert>
+bricks::SpelsByBrick<d> grouped(std::size_t size, Insert insert) {
+  constexpr std::size_t kChunk = std::size_t{1} << 15;
+  std::vector<bricks::SpelsByBrick<d>> parts(size / kChunk + 1);
+  parallel_chunks(parts.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t part = begin; part != end; ++part) {
+      std::array<typename bricks::SpelsByBrick<d>::Memo, 2> memos;  // of the last surfel
+      for (std::size_t i = part * kChunk; i < std::min(size, (part + 1) * kChunk); ++i)
+        insert(i, parts[part], memos);
+    }
+  });
+  for (std::size_t part = 1; part < parts.size(); ++part) parts.front().merge(parts[part]);
+  parts.front().number();
+  return std::move(parts.front());
+}
+
+}  // namespace
 
 template <int d, class Sum>
 void SurfelSums<d, Sum>::init(GridStep h, EuclideanLength R) {
@@ -94,32 +116,35 @@ void SurfelSums<d, Sum>::eval_kernels(std::span<const Surfel<d>> surfels, std::s
 
 template <int d, class Sum>
 void SurfelSums<d, Sum>::eval_bricks(std::span<const Surfel<d>> surfels, std::span<Pair> result) {
+  using Spels = bricks::SpelsByBrick<d>;
+  constexpr std::size_t kGrain = 4096;
   EvaluationWork work;
-  typename bricks::SpelsByBrick<d>::Memo inner, outer;  // of the last surfel
   if (options_.centre == KernelCentre::spels) {
-    bricks::SpelsByBrick<d> spels;
-    for (const Surfel<d>& surfel : surfels) {
-      spels.insert(surfel.inner, inner);
-      spels.insert(surfel.outer(), outer);
-    }
-    spels.number();
+    const Spels spels = grouped<d>(surfels.size(), [&](std::size_t i, Spels& part, auto& memos) {
+      part.insert(surfels[i].inner, memos[0]);
+      part.insert(surfels[i].outer(), memos[1]);
+    });
     const std::vector<Sum> sums = balls_.front().eval(set_, spels, &work);
-    for (std::size_t i = 0; i < surfels.size(); ++i)
-      result[i] = {sums[spels.position(surfels[i].inner, inner)],
-                   sums[spels.position(surfels[i].outer(), outer)]};
+    parallel_chunks(surfels.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+      typename Spels::Memo inner, outer;
+      for (std::size_t i = begin; i != end; ++i)
+        result[i] = {sums[spels.position(surfels[i].inner, inner)],
+                     sums[spels.position(surfels[i].outer(), outer)]};
+    });
   } else {
     for (int axis = 0; axis < d; ++axis) {
-      bricks::SpelsByBrick<d> spels;
-      inner = {};
-      for (const Surfel<d>& surfel : surfels)
-        if (surfel.axis == axis) spels.insert(lower_spel(surfel), inner);
-      spels.number();
+      const Spels spels = grouped<d>(surfels.size(), [&](std::size_t i, Spels& part, auto& memos) {
+        if (surfels[i].axis == axis) part.insert(lower_spel(surfels[i]), memos[0]);
+      });
       const std::vector<Sum> sums = balls_[std::size_t(axis)].eval(set_, spels, &work);
-      for (std::size_t i = 0; i < surfels.size(); ++i) {
-        if (surfels[i].axis != axis) continue;
-        const Sum& sum = sums[spels.position(lower_spel(surfels[i]), inner)];
-        result[i] = {sum, sum};
-      }
+      parallel_chunks(surfels.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+        typename Spels::Memo memo;
+        for (std::size_t i = begin; i != end; ++i) {
+          if (surfels[i].axis != axis) continue;
+          const Sum& sum = sums[spels.position(lower_spel(surfels[i]), memo)];
+          result[i] = {sum, sum};
+        }
+      });
     }
   }
   add_work(work);

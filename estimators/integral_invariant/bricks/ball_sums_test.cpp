@@ -110,8 +110,35 @@ TEST(BrickSums, HaveNoLimitThatStudiesWouldMeet) {
   EXPECT_EQ(disks.eval(plane, pixels).front().n, disk);
 }
 
+TEST(SpelsByBrick, MergesWhatOverlaps) {
+  SpelsByBrick<3> all, low, high;
+  SpelsByBrick<3>::Memo memos[3];
+  const auto set = ball_set<3>(12);
+  std::size_t spels = 0;
+  for_each_point(set.domain(), [&](const LatticePoint<3>& z) {
+    if (!set.contains(z)) return;
+    ++spels;
+    all.insert(z, memos[0]);
+    if (z[0] < 3) low.insert(z, memos[1]);
+    if (z[0] > -3) high.insert(z, memos[2]);
+  });
+  low.merge(high);
+  low.number();
+  EXPECT_EQ(low.size(), spels);
+  EXPECT_EQ(low.sources().size(), all.sources().size());
+  memos[0] = {};
+  std::vector<bool> seen(spels);
+  for_each_point(set.domain(), [&](const LatticePoint<3>& z) {
+    if (!set.contains(z)) return;
+    const std::size_t position = low.position(z, memos[0]);
+    ASSERT_LT(position, spels);
+    EXPECT_FALSE(seen[position]);
+    seen[position] = true;
+  });
+}
+
 TEST(BrickSums, AreTheSameForAnyNumberOfThreads) {
-  const auto set = ball_set<3>(30);
+  const auto set = ball_set<3>(45);  // more surfels than are grouped at once
   const auto surfels = boundary(set);
   const auto run = [&](std::size_t threads) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);

@@ -21,21 +21,32 @@ void SpelsByBrick<d>::grow() {
 }
 
 template <int d>
+std::uint32_t SpelsByBrick<d>::source_of(const LatticePoint<d>& brick) {
+  std::size_t i = slot(brick);
+  if (table_[i] == kNone) {
+    if (2 * (sources_.size() + 1) > table_.size()) {
+      grow();
+      i = slot(brick);
+    }
+    table_[i] = std::uint32_t(sources_.size());
+    sources_.push_back({brick, {}, 0, {}});
+  }
+  return table_[i];
+}
+
+template <int d>
 void SpelsByBrick<d>::insert(const LatticePoint<d>& spel, Memo& memo) {
   const LatticePoint<d> brick = Brick<d>::of(spel);
-  if (brick != memo.brick) {
-    std::size_t i = slot(brick);
-    if (table_[i] == kNone) {
-      if (2 * (sources_.size() + 1) > table_.size()) {
-        grow();
-        i = slot(brick);
-      }
-      table_[i] = std::uint32_t(sources_.size());
-      sources_.push_back({brick, {}, 0, {}});
-    }
-    memo = {brick, table_[i]};
-  }
+  if (brick != memo.brick) memo = {brick, source_of(brick)};
   sources_[memo.source].spels.set(Brick<d>::bit(spel), true);
+}
+
+template <int d>
+void SpelsByBrick<d>::merge(const SpelsByBrick& other) {
+  for (const Source& source : other.sources_) {
+    Brick<d>& own = sources_[source_of(source.brick)].spels;
+    for (std::size_t w = 0; w < own.words.size(); ++w) own.words[w] |= source.spels.words[w];
+  }
 }
 
 template <int d>

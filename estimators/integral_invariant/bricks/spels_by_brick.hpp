@@ -30,6 +30,8 @@ class SpelsByBrick {
   SpelsByBrick() : table_(64, kNone) {}
 
   void insert(const LatticePoint<d>& spel, Memo& memo);
+  /// Inserts all that another one holds.
+  void merge(const SpelsByBrick& other);
   /// Numbers the spels; to be called between the last insert() and the first position().
   void number();
   /// Position of a spel that was inserted.
@@ -41,6 +43,8 @@ class SpelsByBrick {
  private:
   static constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
+  /// The number of the source of that brick, a new one where there is none.
+  std::uint32_t source_of(const LatticePoint<d>& brick);
   /// Slot of the table that holds the brick, or where it would go.
   std::size_t slot(const LatticePoint<d>& brick) const;
   void grow();

@@ -25,12 +25,12 @@ Real integral(Function f, Real a, Real b) {
   return boost::math::quadrature::gauss<Real, 30>::integrate(f, a, b);
 }
 
-/// (1 - t)(1 + b t + c t^2).
+/// (1 - t)(1 + b t + c t^2 + e t^3).
 struct Kernel {
-  Real b = 0, c = 0;
+  Real b = 0, c = 0, e = 0;
 
-  Real operator()(const Real& t) const { return (1 - t) * (1 + t * (b + t * c)); }
-  Real slope(const Real& t) const { return b - 1 + t * (2 * (c - b) - 3 * t * c); }
+  Real operator()(const Real& t) const { return (1 - t) * (1 + t * (b + t * (c + t * e))); }
+  Real slope(const Real& t) const { return b - 1 + t * (2 * (c - b) + t * (3 * (e - c) - 4 * t * e)); }
 
   /// Of f over the interval (dimension 1), disc (2) or ball (3), times |x|^order.
   template <class Function>
@@ -61,11 +61,24 @@ std::vector<Line> lines(int d) {
             {"edge pf1", {}, {}, {{0, kPi / 2}, {2, kPi / 6}}, -kPi},
             {"edge ho1", {-ratio(5, 3)}, {4}, {{0, 2 * kPi / 9}, {2, kPi / 36}}, -kPi},
             {"tensor pf1", {}, {}, {{4, kPi / 12}}, -kPi},
-            {"tensor ho1", {-ratio(3, 2)}, {6}, {{4, kPi / 120}}, -kPi}};
+            {"tensor ho1", {-ratio(3, 2)}, {6}, {{4, kPi / 120}}, -kPi},
+            {"ho2", {-ratio(37, 3), ratio(98, 3), -ratio(70, 3)}, {0, 4, 6}, {{2, -kPi / 180}}, -kPi},
+            {"edge ho2", {-4, ratio(7, 2)}, {4, 6}, {{0, kPi / 8}, {2, kPi / 120}}, -kPi},
+            {"tensor ho2", {-ratio(7, 2), ratio(14, 5)}, {6, 8}, {{4, kPi / 600}}, -kPi}};
   return {{"pf1", {-5}, {0}, {{2, -ratio(32, 105)}}, -ratio(16, 3)},
           {"ho1", {-ratio(58, 5), ratio(77, 5)}, {0, 4}, {{2, -ratio(128, 1575)}}, -ratio(192, 25)},
           {"edge pf1", {}, {}, {{0, ratio(4, 3)}, {2, ratio(4, 15)}}, -2},
-          {"edge ho1", {-ratio(9, 5)}, {4}, {{0, ratio(64, 75)}, {2, ratio(32, 525)}}, -ratio(16, 5)}};
+          {"edge ho1", {-ratio(9, 5)}, {4}, {{0, ratio(64, 75)}, {2, ratio(32, 525)}}, -ratio(16, 5)},
+          {"ho2",
+           {-ratio(103, 5), ratio(2249, 35), -ratio(351, 7)},
+           {0, 4, 6},
+           {{2, -ratio(4096, 121275)}},
+           -ratio(12288, 1225)},
+          {"edge ho2",
+           {-ratio(22, 5), ratio(143, 35)},
+           {4, 6},
+           {{0, ratio(768, 1225)}, {2, ratio(256, 11025)}},
+           -ratio(768, 175)}};
 }
 
 void expect_near(const Real& value, const Real& expected, const Real& tolerance = kTiny) {
