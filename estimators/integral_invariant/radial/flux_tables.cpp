@@ -22,8 +22,8 @@ FluxTables<Flux>::FluxTables(const RadialWeights& weights, DigitalLength radius,
     for (std::size_t row = begin; row != end; ++row) {
       const int z = int(row) - reach_;
       const std::int64_t Z = coordinate(2, z);
-      RadialSum* const face = &along_y_[row * std::size_t(face_stride())];
-      RadialSum above;
+      auto* const face = &along_y_[row * std::size_t(face_stride())];
+      typename Flux::Sum above;
       for (int y = margin(); y >= -margin(); --y) {
         if (std::abs(y) <= reach_) {
           const std::int64_t Y = coordinate(1, y);

@@ -39,7 +39,9 @@ class FluxTables {
   const Flux* line_ends() const { return &along_x_[entry(0, 0, 0)]; }
   /// In the second table an entry is the sum over whole lines, from its y up: y may be what x was, and offsets of one along y and
   /// z are one entry and face_stride().
-  const RadialSum* face_ends() const { return &along_y_[std::size_t(reach_ * face_stride() + margin())]; }
+  const typename Flux::Sum* face_ends() const {
+    return &along_y_[std::size_t(reach_ * face_stride() + margin())];
+  }
   std::int32_t face_stride() const { return 2 * margin() + 1; }
 
  private:
@@ -53,7 +55,7 @@ class FluxTables {
   Strides strides_;
   std::vector<Lines> lines_;
   std::vector<Flux> along_x_;
-  std::vector<RadialSum> along_y_;
+  std::vector<typename Flux::Sum> along_y_;
 };
 
 extern template class FluxTables<CurvatureFlux>;

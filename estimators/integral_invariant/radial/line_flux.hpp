@@ -7,9 +7,10 @@
 
 namespace gridstep {
 
-/// Weights of one point, and sums of them along x, for trace and edge alone.
+/// Weights of one point, and sums of them along x, for trace and edge alone. Weights are at most 2^20, and lines have a few
+/// hundred points.
 struct CurvatureFlux {
-  std::int64_t trace = 0, edge = 0;
+  std::int32_t trace = 0, edge = 0;
 
   CurvatureFlux& operator+=(const CurvatureFlux& other) {
     trace += other.trace;
@@ -18,26 +19,45 @@ struct CurvatureFlux {
   }
   /// Of a point whose coordinate along x from the centre, in half cells, is x.
   static CurvatureFlux of(const RadialTriple& weight, std::int64_t /*x*/) {
-    return {weight.trace, weight.edge};
+    return {std::int32_t(weight.trace), std::int32_t(weight.edge)};
   }
+
+  /// Of many lines.
+  struct Sum {
+    std::int64_t trace = 0, edge = 0;
+
+    Sum& operator+=(const Sum& other) {
+      trace += other.trace;
+      edge += other.edge;
+      return *this;
+    }
+    Sum& operator-=(const Sum& other) {
+      trace -= other.trace;
+      edge -= other.edge;
+      return *this;
+    }
+    explicit operator RadialSum() const { return {trace, edge, {}, {}}; }
+  };
 
   /// Sums over some lines of one z.
   class Slice {
    public:
     template <int sign>
     void add(const CurvatureFlux& line, std::int64_t /*y*/) {
-      trace_ += sign * line.trace;
-      edge_ += sign * line.edge;
+      sum_.trace += sign * std::int64_t{line.trace};
+      sum_.edge += sign * std::int64_t{line.edge};
     }
-    RadialSum at(std::int64_t /*z*/) const { return {trace_, edge_, {}, {}}; }
+    Sum at(std::int64_t /*z*/) const { return sum_; }
 
    private:
-    std::int64_t trace_ = 0, edge_ = 0;
+    Sum sum_;
   };
 };
 
 /// The same for all that a RadialSum has. A cache line.
 struct alignas(64) WholeFlux {
+  using Sum = RadialSum;
+
   std::int64_t trace = 0, edge = 0, edge_x = 0, tensor = 0, tensor_x = 0, tensor_xx = 0;
 
   WholeFlux& operator+=(const WholeFlux& other) {

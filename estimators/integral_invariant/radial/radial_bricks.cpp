@@ -63,10 +63,10 @@ void add_lines(Slice& slice, const Flux* origin, std::span<const End> ends, std:
 template <class Flux>
 RadialSum sum_at(const FluxTables<Flux>& tables, const LineEnds& ends, const LatticePoint<3>& p,
                  std::int64_t& visited) {
-  RadialSum sum;
+  typename Flux::Sum sum;
   const auto& strides = tables.strides();
   const Flux* const origin = tables.line_ends() - (strides[0] * p[0] + strides[1] * p[1] + strides[2] * p[2]);
-  const RadialSum* const face = tables.face_ends() - (p[1] + p[2] * tables.face_stride());
+  const auto* const face = tables.face_ends() - (p[1] + p[2] * tables.face_stride());
   const std::int64_t base = 2 * std::int64_t{p[1]} + (tables.half_axis() == 1);
   const auto coordinate = [&](int k, int offset) {
     return 2 * std::int64_t{offset} - (k == tables.half_axis());
@@ -88,7 +88,7 @@ RadialSum sum_at(const FluxTables<Flux>& tables, const LineEnds& ends, const Lat
     for (const End& end : face_leaves) sum -= face[end.place];
     visited += std::int64_t(enters.size() + leaves.size() + face_enters.size() + face_leaves.size());
   }
-  return sum;
+  return RadialSum(sum);
 }
 
 DigitalLength checked(DigitalLength radius, double greatest) {
