@@ -50,7 +50,7 @@ std::string study(const char* steps_2d, int shifts_2d, const char* steps_3d, int
 StudyEntry describe_accuracy_frontier() {
   return {"accuracy-frontier",
           "the most accurate estimators at equal h, each with its usual radius: errors and time",
-          study("0.4, 0.2, 0.1, 0.05, 0.025", 5, "1, 0.7, 0.5, 0.35, 0.25", 3),
+          study("0.4, 0.2, 0.1, 0.05, 0.025", 5, "1, 0.7, 0.5, 0.35, 0.25", 2),
           study("0.4, 0.2, 0.1, 0.05, 0.025, 0.0125, 0.00625", 10,
                 "1, 0.7, 0.5, 0.35, 0.25, 0.175, 0.125, 0.0875, 0.0625", 10)};
 }

@@ -351,6 +351,17 @@ class Volume(WithVolume):
         of = lambda rows: {(r["kx"], r["ky"], r["kz"]): r["mean"] for r in rows}
         self.assertEqual(of(table[:-6]), of(shape))
 
+    def test_mean_alone_is_nearly_that_of_all(self):
+        ball = self.ball()
+        _, alone = self.estimate(ball, "--radius", "5", "--estimator", "ii-ho1", "--quantity", "mean")
+        _, everything = self.estimate(ball, "--radius", "5", "--estimator", "ii-ho1")
+        self.assertEqual(list(alone[0])[7:], ["mean"])
+        self.assertIn("k1", everything[0])
+        for one, other in zip(alone, everything, strict=True):
+            # They differ by the distance of the surfel from the boundary times the square of (k1 - k2) / 2.
+            half = (float(other["k1"]) - float(other["k2"])) / 2
+            self.assertAlmostEqual(float(one["mean"]), float(other["mean"]), delta=2.5 * half**2 + 1e-9)
+
     def test_quantity_picks_the_estimator(self):
         ball = self.ball()
         for quantity, columns in [("gaussian", ["gaussian"]), ("normal", ["normal_x", "normal_y", "normal_z"])]:
