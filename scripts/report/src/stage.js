@@ -7,7 +7,7 @@ import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 
 const restPixels = 2;
 const restAfter = 200; // ms
-const leastPixels = 0.35;
+const leastPixels = 0.25;
 const slowest = 1 / 24; // s a frame: a little faster than the 20 frames a second that look smooth
 const turnSpeed = 2; // of OrbitControls: a turn in 30 s
 const keys = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
