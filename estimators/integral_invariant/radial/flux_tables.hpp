@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "estimators/integral_invariant/radial/huge_pages.hpp"
 #include "estimators/integral_invariant/radial/line_flux.hpp"
 #include "estimators/integral_invariant/radial/radial_weights.hpp"
 #include "shapes/base/lattice.hpp"
@@ -54,7 +55,7 @@ class FluxTables {
   int half_axis_, reach_, most_;
   Strides strides_;
   std::vector<Lines> lines_;
-  std::vector<Flux> along_x_;
+  std::vector<Flux, HugePages<Flux>> along_x_;
   std::vector<typename Flux::Sum> along_y_;
 };
 
