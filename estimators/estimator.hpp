@@ -23,7 +23,7 @@ struct Estimates {
 /// What an estimator did: deterministic, whatever the number of threads.
 struct EstimatorWork {
   std::int64_t evaluations = 0;  ///< points at which the kernel was evaluated (spels serve several surfels)
-  /// Cells of the digital set that were read; by Evaluation::bricks, bricks and runs of bricks.
+  /// Cells of the digital set that were read; by Evaluation::bricks, bricks and runs of bricks, or surfels.
   std::int64_t cells_visited = 0;
   std::int64_t restarts = 0;     ///< whole-kernel evaluations among incremental ones
   std::int64_t kernel_size = 0;  ///< cells of one kernel

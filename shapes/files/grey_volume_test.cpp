@@ -22,15 +22,6 @@ GreyVolume row_of(VoxelType type, const std::vector<T>& values) {
   return volume;
 }
 
-std::string failure(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
-}
-
 /// The x of the points in the set.
 std::vector<int> where(const DigitalSet<3>& set) {
   std::vector<int> result;

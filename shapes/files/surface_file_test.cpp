@@ -1,4 +1,5 @@
 #include "shapes/files/surface_file.hpp"
+#include "shapes/files/testing_volumes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -48,15 +49,6 @@ TEST(QuadMesh, ASphereHasEulerCharacteristicTwo) {
     for (std::size_t k = 0; k < 4; ++k) edges.insert(std::minmax(quad[k], quad[(k + 1) % 4]));
   EXPECT_EQ(std::int64_t(mesh.vertices.size()) - std::int64_t(edges.size()) + std::int64_t(mesh.quads.size()),
             2);
-}
-
-std::string failure(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
 }
 
 TEST(QuadMesh, GivesItsSurfelsBack) {

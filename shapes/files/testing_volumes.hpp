@@ -11,6 +11,17 @@
 // Small files for the tests of readers, and what is said of bad ones.
 namespace gridstep {
 
+/// What an action fails with; empty where it does not.
+template <class Action>
+std::string failure(Action action) {
+  try {
+    action();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
 /// What such a file is refused with, after its name; empty where it is read.
 template <class Read>
 std::string refusal(Read read, const std::string& content) {

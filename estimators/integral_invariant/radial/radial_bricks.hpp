@@ -30,7 +30,7 @@ class RadialBricks {
  public:
   static constexpr double kGreatestRadius = 100;
 
-  /// @throws InputError where R/h is above kGreatestRadius: the tables would need more than 3 GiB.
+  /// @throws InputError where R/h is above kGreatestRadius: the tables would need more than 1.7 GiB.
   RadialBricks(const RadialWeights& weights, DigitalLength radius);
 
   /// One sum for each surfel. Runs on all threads of the current arena. In `work`, cells_visited are the surfels whose
