@@ -1,7 +1,6 @@
 #include "estimators/integral_invariant/curvature.hpp"
 
 #include <Eigen/Eigenvalues>
-#include <cmath>
 #include <numbers>
 
 namespace gridstep {
@@ -13,14 +12,16 @@ double curvature_from_area(double area, EuclideanLength R) {
 }
 
 double mean_curvature_from_volume(double volume, EuclideanLength R) {
-  return 8 / (3 * R.value) - 4 * volume / (pi * std::pow(R.value, 4));
+  const double R2 = R.value * R.value;
+  return 8 / (3 * R.value) - 4 * volume / (pi * R2 * R2);
 }
 
 PrincipalCurvatures principal_curvatures(const Eigen::Matrix3d& J, const Eigen::Vector3d& towards_inside,
                                          EuclideanLength R) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(J);
   const double l1 = eigen.eigenvalues()[2], l2 = eigen.eigenvalues()[1];
-  const double scale = 6 / (pi * std::pow(R.value, 6)), offset = 8 / (5 * R.value);
+  const double R3 = R.value * R.value * R.value;
+  const double scale = 6 / (pi * R3 * R3), offset = 8 / (5 * R.value);
   PrincipalCurvatures result;
   result.k2 = scale * (l2 - 3 * l1) + offset;
   result.k1 = scale * (l1 - 3 * l2) + offset;

@@ -63,7 +63,12 @@ class Formula::Parser {
     const auto is_last_but = [&](int n, const Term& term) {
       return term.reg == int(all.size()) - 1 - n && all[std::size_t(term.reg)].kind == Kind::constant;
     };
-    if (!is_last_but(1, left) || !is_last_but(0, right)) return emit({kind, left.reg, right.reg}, degree);
+    if (!is_last_but(1, left) || !is_last_but(0, right)) {
+      for (const auto& [factor, other] : {std::pair(left, right), std::pair(right, left)})
+        if (kind == Kind::product && all[std::size_t(factor.reg)].kind == Kind::constant)
+          return emit({Kind::scaled, other.reg, 0, all[std::size_t(factor.reg)].number}, degree);
+      return emit({kind, left.reg, right.reg}, degree);
+    }
     const double b = all.back().number;
     all.pop_back();
     double& a = all.back().number;

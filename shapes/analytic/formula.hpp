@@ -8,6 +8,12 @@
 
 namespace gridstep {
 
+/// A product by a number, for scalars that know no shorter way.
+template <class Scalar>
+Scalar scaled(const Scalar& a, double factor) {
+  return a * Scalar(factor);
+}
+
 /// A polynomial in x, y, z as it was written: a list of operations on registers, kept in the order of the
 /// text, so that doubles, intervals and derivatives are all evaluated alike. What the text repeats is done once.
 ///
@@ -48,7 +54,7 @@ class Formula {
           r[i] = r[std::size_t(o.left)] * r[std::size_t(o.right)];
           break;
         case Kind::scaled:
-          r[i] = r[std::size_t(o.left)] * Scalar(o.number);
+          r[i] = scaled(r[std::size_t(o.left)], o.number);
           break;
         case Kind::square:
           r[i] = square(r[std::size_t(o.left)]);

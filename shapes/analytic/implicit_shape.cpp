@@ -162,7 +162,7 @@ auto ImplicitShape<d>::newton(const RealPoint<d>& query, const RealPoint<d>& sta
     system.template topRightCorner<d, 1>() = f.gradient;
     system.template bottomLeftCorner<1, d>() = f.gradient.transpose();
     system(d, d) = 0;
-    Vector step = system.partialPivLu().solve(residual);
+    Vector step = system.inverse() * residual;  // what it loses to rounding, the next step finds
     const double length = step.template head<d>().norm();
     if (!std::isfinite(length)) break;
     if (length > within) step *= within / length;

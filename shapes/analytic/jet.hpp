@@ -80,6 +80,12 @@ struct Jet2 {
                 b.gradient * a.gradient.transpose();
     return c;
   }
+  friend Jet2 scaled(Jet2 a, double factor) {
+    a.value *= factor;
+    a.gradient *= factor;
+    a.hessian *= factor;
+    return a;
+  }
   friend Jet2 square(const Jet2& a) {
     Jet2 c(a.value * a.value);
     c.gradient = (2 * a.value) * a.gradient;

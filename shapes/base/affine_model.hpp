@@ -59,6 +59,12 @@ struct AffineModel {
               kUnderflow;
     return c;
   }
+  friend AffineModel scaled(const AffineModel& a, double factor) {
+    AffineModel c(a.value * factor);
+    for (int k = 0; k < d; ++k) c.slope[k] = a.slope[k] * factor;
+    c.error = std::abs(factor) * (a.error + kRounding * a.magnitude()) + kUnderflow;
+    return c;
+  }
   friend AffineModel square(const AffineModel& a) {
     // The square of the slopes lies in [0, spread^2].
     double spread = 0;
