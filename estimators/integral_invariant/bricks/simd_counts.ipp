@@ -10,13 +10,29 @@ struct Group {
   Bytes of[N];
 };
 
-/// Bit by bit, what two or three of them are; `differ` is a ^ b.
-HWY_INLINE Bytes majority(Bytes differ, Bytes a, Bytes b, Bytes c) {
+/// The bits of a brick, and for each ball of a group a mask of those in it.
+template <std::size_t N>
+struct Cut {
+  Bytes bits;
+  Group<N> masks;
+};
+
+/// sum ^ (bits & mask).
+HWY_INLINE Bytes toggled(Bytes sum, Bytes bits, Bytes mask) {
 #if HWY_TARGET <= HWY_AVX3
-  (void)b;
-  return hn::IfVecThenElse(differ, c, a);  // one instruction; with AVX2, it looks at whole lanes
+  return Bytes{_mm512_ternarylogic_epi64(sum.raw, bits.raw, mask.raw, 0x78)};
 #else
-  return hn::Or(hn::And(a, b), hn::And(differ, c));
+  return hn::Xor(sum, hn::And(bits, mask));
+#endif
+}
+
+/// Bit by bit, whether at least two of three are set: `before` was added to one, which gave `between`, and to another,
+/// which gave `after`.
+HWY_INLINE Bytes carried(Bytes before, Bytes between, Bytes after) {
+#if HWY_TARGET <= HWY_AVX3
+  return Bytes{_mm512_ternarylogic_epi64(between.raw, after.raw, before.raw, 0x3a)};
+#else
+  return hn::Or(hn::AndNot(after, between), hn::AndNot(between, before));
 #endif
 }
 
@@ -38,16 +54,24 @@ class BitCounter {
       eights_.of[i] = hn::Add(eights_.of[i], hn::PopulationCount(eight.of[i]));
     if (++blocks_ == 255 / 8) spill_eights();
   }
-  /// At most 31 times in all.
-  HWY_INLINE void add_one(const Group<N>& a) {
-    for (std::size_t i = 0; i < N; ++i) rest_.of[i] = hn::Add(rest_.of[i], hn::PopulationCount(a.of[i]));
+  /// Fewer than eight; at most three times in all.
+  template <class Source>
+  HWY_INLINE void add_rest(Source& source, std::size_t count) {
+    if (count & 4) add_to_rest<2>(add_four(source));
+    if (count & 2) add_to_rest<1>(add_two(source));
+    if (count & 1) {
+      const Cut<N> one = source.next();
+      Group<N> bits;
+      for (std::size_t i = 0; i < N; ++i) bits.of[i] = hn::And(one.bits, one.masks.of[i]);
+      add_to_rest<0>(bits);
+    }
   }
   HWY_INLINE Words total(std::size_t i) {
     spill_eights();
-    const auto sum = [](Bytes bits) HWY_ATTR { return hn::SumsOf8(hn::PopulationCount(bits)); };
-    const Words few = hn::Add(sum(ones_.of[i]), hn::Add(hn::ShiftLeft<1>(sum(twos_.of[i])),
-                                                        hn::ShiftLeft<2>(sum(fours_.of[i]))));
-    return hn::Add(hn::ShiftLeft<3>(total_[i]), hn::Add(few, hn::SumsOf8(rest_.of[i])));
+    Bytes few = hn::PopulationCount(fours_.of[i]);
+    few = hn::Add(hn::Add(few, few), hn::PopulationCount(twos_.of[i]));
+    few = hn::Add(hn::Add(few, few), hn::PopulationCount(ones_.of[i]));
+    return hn::Add(hn::ShiftLeft<3>(total_[i]), hn::SumsOf8(hn::Add(few, rest_.of[i])));
   }
 
  private:
@@ -55,21 +79,37 @@ class BitCounter {
   static HWY_INLINE Group<N> add(Group<N>& sum, const Group<N>& a, const Group<N>& b) {
     Group<N> carry;
     for (std::size_t i = 0; i < N; ++i) {
-      const Bytes one = hn::Xor(sum.of[i], a.of[i]);
-      carry.of[i] = majority(one, sum.of[i], a.of[i], b.of[i]);
-      sum.of[i] = hn::Xor(one, b.of[i]);
+      const Bytes between = hn::Xor(sum.of[i], a.of[i]), after = hn::Xor(between, b.of[i]);
+      carry.of[i] = carried(sum.of[i], between, after);
+      sum.of[i] = after;
     }
     return carry;
   }
   template <class Source>
   HWY_INLINE Group<N> add_two(Source& source) {
-    const Group<N> a = source.next(), b = source.next();
-    return add(ones_, a, b);
+    const Cut<N> a = source.next(), b = source.next();
+    Group<N> carry;
+    for (std::size_t i = 0; i < N; ++i) {
+      const Bytes between = toggled(ones_.of[i], a.bits, a.masks.of[i]),
+                  after = toggled(between, b.bits, b.masks.of[i]);
+      carry.of[i] = carried(ones_.of[i], between, after);
+      ones_.of[i] = after;
+    }
+    return carry;
   }
   template <class Source>
   HWY_INLINE Group<N> add_four(Source& source) {
     const Group<N> a = add_two(source), b = add_two(source);
     return add(twos_, a, b);
+  }
+  /// Bits that count 2^weight each.
+  template <int weight>
+  HWY_INLINE void add_to_rest(const Group<N>& bits) {
+    for (std::size_t i = 0; i < N; ++i) {
+      Bytes count = hn::PopulationCount(bits.of[i]);
+      for (int k = 0; k < weight; ++k) count = hn::Add(count, count);
+      rest_.of[i] = hn::Add(rest_.of[i], count);
+    }
   }
   HWY_INLINE void spill_eights() {
     for (std::size_t i = 0; i < N; ++i) {
@@ -80,7 +120,7 @@ class BitCounter {
   }
 
   Group<N> ones_, twos_, fours_;  // bits not yet carried on
-  Group<N> eights_, rest_;        // counts
+  Group<N> eights_, rest_;        // counts; those of the rest are at most 3 (4 + 2 + 1) 8, and 7 * 8 fit in beside them
   Words total_[N];                // of eights
   int blocks_ = 0;
 };
@@ -125,24 +165,25 @@ struct Cuts {
   const LineBalls<N>& balls;
   const MixedBrick* entry;
 
-  HWY_INLINE Group<N> next() {
+  HWY_INLINE Cut<N> next() {
     const ByteTag tag;
-    const auto most = hn::Set(tag, std::uint8_t{15});
-    const Bytes bits = hn::Load(tag, reinterpret_cast<const std::uint8_t*>(entry->words) + balls.at);
-    Group<N> cut;
-    for (std::size_t i = 0; i < N; ++i) cut.of[i] = bits;
-    if constexpr (kRight) {
-      const Bytes s = hn::Min(balls.beyond(entry->row, entry->from), most);
-      for (std::size_t i = 0; i < N; ++i)
-        cut.of[i] = hn::And(cut.of[i], hn::TableLookupBytes(balls.right[i], s));
-    }
-    if constexpr (kLeft) {
-      const Bytes s = hn::Min(balls.beyond(entry->row, entry->from + balls.skew), most);
-      for (std::size_t i = 0; i < N; ++i)
-        cut.of[i] = hn::And(cut.of[i], hn::TableLookupBytes(balls.left[i], s));
+    Cut<N> cut;
+    cut.bits = hn::Load(tag, reinterpret_cast<const std::uint8_t*>(entry->words) + balls.at);
+    const Bytes right = kRight ? reached(0) : hn::Zero(tag);
+    const Bytes left = !kLeft ? hn::Zero(tag) : kRight && balls.skew == 0 ? right : reached(balls.skew);
+    for (std::size_t i = 0; i < N; ++i) {
+      if constexpr (kRight) cut.masks.of[i] = hn::TableLookupBytes(balls.right[i], right);
+      if constexpr (kLeft) {
+        const Bytes mask = hn::TableLookupBytes(balls.left[i], left);
+        cut.masks.of[i] = kRight ? hn::And(cut.masks.of[i], mask) : mask;
+      }
     }
     ++entry;
     return cut;
+  }
+  /// Points of each line, as many as there are masks for.
+  HWY_INLINE Bytes reached(int skew) const {
+    return hn::Min(balls.beyond(entry->row, entry->from + skew), hn::Set(ByteTag(), std::uint8_t{15}));
   }
 };
 
@@ -152,7 +193,7 @@ HWY_INLINE void count_mixed(const std::vector<MixedBrick>& entries, const Balls&
   Source cuts{balls, entries.data()};
   std::size_t rest = entries.size();
   for (; rest >= 8; rest -= 8) counter.add_eight(cuts);
-  for (; rest > 0; --rest) counter.add_one(cuts.next());
+  counter.add_rest(cuts, rest);
 }
 
 template <std::size_t N>
@@ -226,15 +267,16 @@ struct DiskCuts {
   const Disk& disk;
   const MixedBrick* entry;
 
-  HWY_INLINE Group<1> next() {
+  HWY_INLINE Cut<1> next() {
     const WordTag tag;
     const Words all = hn::Set(tag, ~std::uint64_t{0});
-    Words bits = hn::Load(tag, entry->words + disk.at);
+    Words mask = all;
     // The processor's shifts by 64 and more leave nothing.
-    if constexpr (kRight) bits = hn::And(bits, all >> disk.missing(entry->row, entry->from + disk.to_right));
-    if constexpr (kLeft) bits = hn::And(bits, all << disk.missing(entry->row, entry->from + disk.to_left));
+    if constexpr (kRight) mask = all >> disk.missing(entry->row, entry->from + disk.to_right);
+    if constexpr (kLeft) mask = hn::And(mask, all << disk.missing(entry->row, entry->from + disk.to_left));
+    const Words bits = hn::Load(tag, entry->words + disk.at);
     ++entry;
-    return {{hn::BitCast(ByteTag(), bits)}};
+    return {hn::BitCast(ByteTag(), bits), {{hn::BitCast(ByteTag(), mask)}}};
   }
 };
 
