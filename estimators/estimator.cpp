@@ -6,6 +6,11 @@
 
 namespace gridstep {
 
+Estimates Estimates::zeros(std::vector<std::string> quantities, std::size_t rows) {
+  const std::size_t columns = quantities.size();
+  return {std::move(quantities), std::vector(columns, std::vector<double>(rows))};
+}
+
 const std::vector<double>& Estimates::operator[](const std::string& quantity) const {
   const auto found = std::find(quantities.begin(), quantities.end(), quantity);
   expects(found != quantities.end(), "a quantity of this estimator");

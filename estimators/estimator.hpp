@@ -16,6 +16,14 @@ struct Estimates {
   std::vector<std::string> quantities;
   std::vector<std::vector<double>> columns;
 
+  /// A table of that many rows, to be filled.
+  static Estimates zeros(std::vector<std::string> quantities, std::size_t rows);
+  /// One value for each quantity.
+  template <class Values>
+  void set_row(std::size_t i, const Values& values) {
+    for (std::size_t c = 0; c < columns.size(); ++c) columns[c][i] = double(values[c]);
+  }
+
   /// @throws ContractViolation where there is no such quantity.
   const std::vector<double>& operator[](const std::string& quantity) const;
 };

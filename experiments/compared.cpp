@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "shapes/base/contracts.hpp"
+#include "shapes/base/parallel.hpp"
 
 namespace gridstep {
 
@@ -52,13 +53,8 @@ std::vector<double> errors_of(const Compared& compared, const Estimates& estimat
     estimated.push_back(&estimates[name]);
     exact.push_back(&column(truth, name));
   }
-  std::vector<double> errors(truth.known.size(), 0.0);
-  for (std::size_t i = 0; i < errors.size(); ++i) {
-    if (!truth.known[i]) continue;
-    if (compared.columns.size() == 1) {
-      errors[i] = (*estimated[0])[i] - (*exact[0])[i];
-      continue;
-    }
+  const auto error_at = [&](std::size_t i) {
+    if (compared.columns.size() == 1) return (*estimated[0])[i] - (*exact[0])[i];
     // Of unit vectors a and b: 2 atan2(|a - b|, |a + b|), exact for small angles too [Kahan].
     double difference = 0, sum = 0;
     for (std::size_t k = 0; k < estimated.size(); ++k) {
@@ -66,16 +62,23 @@ std::vector<double> errors_of(const Compared& compared, const Estimates& estimat
       difference += (a - b) * (a - b);
       sum += (a + b) * (a + b);
     }
-    errors[i] = 2 * std::atan2(std::sqrt(difference), std::sqrt(sum));
-  }
+    return 2 * std::atan2(std::sqrt(difference), std::sqrt(sum));
+  };
+  std::vector<double> errors(truth.known.size(), 0.0);
+  constexpr std::size_t kGrain = 1024;
+  parallel_chunks(errors.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i != end; ++i)
+      if (truth.known[i]) errors[i] = error_at(i);
+  });
   return errors;
 }
 
-std::vector<double> known_only(const std::vector<double>& errors, const Truth& truth) {
-  std::vector<double> result;
+std::vector<double> known_only(std::vector<double> errors, const Truth& truth) {
+  std::size_t kept = 0;
   for (std::size_t i = 0; i < errors.size(); ++i)
-    if (truth.known[i]) result.push_back(errors[i]);
-  return result;
+    if (truth.known[i]) errors[kept++] = errors[i];
+  errors.resize(kept);
+  return errors;
 }
 
 }  // namespace gridstep

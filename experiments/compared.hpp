@@ -25,9 +25,10 @@ std::vector<Compared> compared_quantities(const EstimatorEntry::Variant<d>& vari
 std::vector<Compared> compared_quantities(const std::string& estimator, int dimension);
 
 /// The error at each value; 0 where truth.known is 0. @throws ContractViolation where a column is missing.
+/// Runs on all threads of the current arena.
 std::vector<double> errors_of(const Compared& compared, const Estimates& estimates, const Truth& truth);
 
 /// Only those where the truth is known, in order.
-std::vector<double> known_only(const std::vector<double>& errors, const Truth& truth);
+std::vector<double> known_only(std::vector<double> errors, const Truth& truth);
 
 }  // namespace gridstep

@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "experiments/compared.hpp"
+#include "shapes/base/parallel.hpp"
 
 namespace gridstep {
 
@@ -122,10 +123,12 @@ class MethodRun {
     record_.far += truth.far;
     record_.worst_residual = std::max(record_.worst_residual, truth.worst_residual);
     record_.seconds_truth += seconds_truth;
-    for (std::size_t c = 0; c < compared_.size(); ++c) {
-      const std::vector<double> known = known_only(errors_of(compared_[c], estimates, truth), truth);
-      errors_[c].insert(errors_[c].end(), known.begin(), known.end());
-    }
+    parallel_chunks(compared_.size(), 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t c = begin; c != end; ++c) {
+        const std::vector<double> known = known_only(errors_of(compared_[c], estimates, truth), truth);
+        errors_[c].insert(errors_[c].end(), known.begin(), known.end());
+      }
+    });
   }
 
   /// Of the last part.
@@ -133,8 +136,13 @@ class MethodRun {
 
   Record finish(double seconds_digitize) && {
     record_.seconds_digitize = seconds_digitize;
+    std::vector<ErrorNorms> norms(compared_.size());
+    parallel_chunks(compared_.size(), 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t c = begin; c != end; ++c)
+        if (!errors_[c].empty()) norms[c] = error_norms(errors_[c]);
+    });
     for (std::size_t c = 0; c < compared_.size(); ++c)
-      if (!errors_[c].empty()) record_.errors.emplace_back(compared_[c].name, error_norms(errors_[c]));
+      if (!errors_[c].empty()) record_.errors.emplace_back(compared_[c].name, norms[c]);
     return std::move(record_);
   }
 
@@ -176,16 +184,16 @@ std::vector<Record> run_job(const Study& study, const Job& job, const Shape<d>& 
     if (runs.empty())
       for (const Method& method : methods) runs.emplace_back(sweep, method, common, study.timing);
     const std::map<ValuePosition, TruthAt> truths = truths_of(sweep, shape, scene);
-    std::optional<Estimates> first_sums;  // of the method's estimator and radius
+    std::optional<Estimates> sums;  // of the method before, if this one is to have the same
     for (std::size_t m = 0; m < methods.size(); ++m) {
       runs[m].add_part(scene, truths);
-      if (!methods[m].evaluation) continue;
-      if (m == 0 || !methods[m].agrees_with(methods[m - 1]))
-        first_sums = runs[m].sums();
-      else if (runs[m].sums().columns != first_sums->columns)
+      if (sums && runs[m].sums().columns != sums->columns)
         throw std::runtime_error(
             fmt::format("{} at h = {}: the sums of evaluation '{}' differ from those of '{}'", common.shape,
                         common.h, to_string(*methods[m].evaluation), to_string(*methods[m - 1].evaluation)));
+      const bool once_more =
+          m + 1 < methods.size() && methods[m].evaluation && methods[m + 1].agrees_with(methods[m]);
+      sums = once_more ? std::optional(runs[m].sums()) : std::nullopt;
     }
     seconds_in_parts += watch.seconds();
   });

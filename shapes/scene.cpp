@@ -55,26 +55,24 @@ void for_each_part(const Shape<d>& shape, const SceneSettings<d>& settings, std:
 }
 
 template <int d>
-double quantity_at(const BoundaryPoint<d>& point, const std::string& quantity) {
-  const auto component = [&](const std::string& name, const RealPoint<d>& v) -> std::optional<double> {
-    for (int k = 0; k < d; ++k)
-      if (quantity == name + "_" + "xyz"[k]) return v[k];
-    return std::nullopt;
-  };
-  if (const auto value = component("normal", point.normal)) return *value;
-  if constexpr (d == 2) {
-    if (quantity == "kappa") return point.curvature[0];
-    if (const auto value = component("tangent", point.direction[0])) return *value;
-  } else {
-    const double k1 = point.curvature[0], k2 = point.curvature[1];
-    if (quantity == "mean") return (k1 + k2) / 2;
-    if (quantity == "gaussian") return k1 * k2;
-    if (quantity == "k1") return k1;
-    if (quantity == "k2") return k2;
-    if (const auto value = component("dir1", point.direction[0])) return *value;
-    if (const auto value = component("dir2", point.direction[1])) return *value;
+std::function<double(const BoundaryPoint<d>&)> quantity_at_point(const std::string& name) {
+  using Point = BoundaryPoint<d>;
+  for (int k = 0; k < d; ++k) {
+    const std::string end = std::string("_") + "xyz"[k];
+    if (name == "normal" + end) return [k](const Point& p) { return p.normal[k]; };
+    if (name == (d == 2 ? "tangent" : "dir1") + end) return [k](const Point& p) { return p.direction[0][k]; };
+    if constexpr (d == 3)
+      if (name == "dir2" + end) return [k](const Point& p) { return p.direction[1][k]; };
   }
-  throw ContractViolation("expected a quantity of differential geometry, not '" + quantity + "'");
+  if constexpr (d == 2) {
+    if (name == "kappa") return [](const Point& p) { return p.curvature[0]; };
+  } else {
+    if (name == "mean") return [](const Point& p) { return (p.curvature[0] + p.curvature[1]) / 2; };
+    if (name == "gaussian") return [](const Point& p) { return p.curvature[0] * p.curvature[1]; };
+    if (name == "k1") return [](const Point& p) { return p.curvature[0]; };
+    if (name == "k2") return [](const Point& p) { return p.curvature[1]; };
+  }
+  throw ContractViolation("expected a quantity of differential geometry, not '" + name + "'");
 }
 
 template <int d>
@@ -88,6 +86,8 @@ Truth truth_at(const Shape<d>& shape, const SceneSettings<d>& settings,
   truth.quantities = quantities;
   truth.columns.assign(quantities.size(), std::vector<double>(points.size(), 0.0));
   truth.known.assign(points.size(), 0);
+  std::vector<std::function<double(const BoundaryPoint<d>&)>> values;
+  for (const std::string& quantity : quantities) values.push_back(quantity_at_point<d>(quantity));
   struct Tally {
     std::int64_t singular = 0, far = 0;
     double worst_residual = 0;
@@ -113,8 +113,7 @@ Truth truth_at(const Shape<d>& shape, const SceneSettings<d>& settings,
         direction = settings.placement.direction_to_world(direction);
       truth.known[i] = 1;
       tally.worst_residual = std::max(tally.worst_residual, point->residual);
-      for (std::size_t q = 0; q < quantities.size(); ++q)
-        truth.columns[q][i] = quantity_at<d>(*point, quantities[q]);
+      for (std::size_t q = 0; q < quantities.size(); ++q) truth.columns[q][i] = values[q](*point);
     }
   });
   tallies.for_each([&](const Tally& tally) {
@@ -140,7 +139,7 @@ Truth truth_at_surfels(const Shape<d>& shape, const SceneSettings<d>& settings,
   template Scene<d> make_scene(const Shape<d>&, const SceneSettings<d>&);                                  \
   template void for_each_part(const Shape<d>&, const SceneSettings<d>&, std::size_t,                       \
                               const std::function<void(const Scene<d>&)>&);                                \
-  template double quantity_at(const BoundaryPoint<d>&, const std::string&);                                \
+  template std::function<double(const BoundaryPoint<d>&)> quantity_at_point(const std::string&);           \
   template Truth truth_at(const Shape<d>&, const SceneSettings<d>&, const std::vector<RealPoint<d>>&,      \
                           EuclideanLength, const std::vector<std::string>&);                               \
   template Truth truth_at_surfels(const Shape<d>&, const SceneSettings<d>&, const std::vector<Surfel<d>>&, \

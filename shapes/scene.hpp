@@ -76,9 +76,9 @@ template <int d>
 Truth truth_at_surfels(const Shape<d>& shape, const SceneSettings<d>& settings,
                        const std::vector<Surfel<d>>& surfels, const std::vector<std::string>& quantities);
 
-/// One quantity at a boundary point, in the frame of the shape. @throws ContractViolation where it has no
-/// such name.
+/// How to read a quantity off a boundary point, in the frame of the shape. @throws ContractViolation where there is none of
+/// that name.
 template <int d>
-double quantity_at(const BoundaryPoint<d>& point, const std::string& quantity);
+std::function<double(const BoundaryPoint<d>&)> quantity_at_point(const std::string& name);
 
 }  // namespace gridstep

@@ -37,9 +37,8 @@ class ParameterFree final : public Estimator<2> {
 
   Estimates eval(std::span<const Surfel<2>> linels) override {
     expects(h_.value > 0, "init() before eval()");
-    raw_ = {{"digital_radius", "sum"},
-            std::vector<std::vector<double>>(2, std::vector<double>(linels.size()))};
-    Estimates result{{"kappa"}, {std::vector<double>(linels.size())}};
+    raw_ = Estimates::zeros({"digital_radius", "sum"}, linels.size());
+    Estimates result = Estimates::zeros({"kappa"}, linels.size());
     std::size_t first = 0;
     for (const DigitalContour& contour : closed_contours(linels)) {
       const std::vector<double> radii = digital_radii(contour);
@@ -48,8 +47,7 @@ class ParameterFree final : public Estimator<2> {
           const Surfel<2>& linel = linels[first + i];
           const DiskRows disk({radii[i]});
           const double sum = 0.5 * double(rows_.count(linel.inner, disk) + rows_.count(linel.outer(), disk));
-          raw_.columns[0][first + i] = radii[i];
-          raw_.columns[1][first + i] = sum;
+          raw_.set_row(first + i, std::array{radii[i], sum});
           result.columns[0][first + i] =
               curvature_from_area(h_.value * h_.value * sum, {radii[i] * h_.value});
         }

@@ -3,6 +3,7 @@
 #include "estimators/catalogue.hpp"
 #include "estimators/integral_invariant/curvature.hpp"
 #include "estimators/integral_invariant/surfel_sums.hpp"
+#include "shapes/base/parallel.hpp"
 
 namespace gridstep {
 
@@ -26,15 +27,17 @@ class IntegralInvariant final : public Estimator<d> {
 
   Estimates eval(std::span<const Surfel<d>> surfels) override {
     const auto pairs = sums_.eval(surfels);
-    raw_ = {{"sum"}, {std::vector<double>(pairs.size())}};
-    Estimates result{{d == 2 ? "kappa" : "mean"}, {std::vector<double>(pairs.size())}};
+    raw_ = Estimates::zeros({"sum"}, pairs.size());
+    Estimates result = Estimates::zeros({d == 2 ? "kappa" : "mean"}, pairs.size());
     const double cell = std::pow(h_.value, d);
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-      const double sum = 0.5 * double(pairs[i].inner.n + pairs[i].outer.n);
-      raw_.columns[0][i] = sum;
-      result.columns[0][i] =
-          d == 2 ? curvature_from_area(cell * sum, R_) : mean_curvature_from_volume(cell * sum, R_);
-    }
+    parallel_chunks(pairs.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i != end; ++i) {
+        const double sum = 0.5 * double(pairs[i].inner.n + pairs[i].outer.n);
+        raw_.columns[0][i] = sum;
+        result.columns[0][i] =
+            d == 2 ? curvature_from_area(cell * sum, R_) : mean_curvature_from_volume(cell * sum, R_);
+      }
+    });
     return result;
   }
 
@@ -42,6 +45,8 @@ class IntegralInvariant final : public Estimator<d> {
   EstimatorWork work() const override { return sums_.work(); }
 
  private:
+  static constexpr std::size_t kGrain = 1024;
+
   SurfelSums<d, PlainSum<d, std::int64_t>> sums_;
   GridStep h_{};
   EuclideanLength R_{};

@@ -42,7 +42,7 @@ class GuardedHigherOrder final : public Estimator<3> {
   Estimates eval(std::span<const Surfel<3>> surfels) override {
     Estimates result = attempts_[0]->eval(surfels);
     work_ = attempts_[0]->work();
-    raw_ = {{"attempt"}, {std::vector<double>(surfels.size())}};
+    raw_ = Estimates::zeros({"attempt"}, surfels.size());
     std::vector<std::size_t> open = misfits(result, surfels, 0);
     work_.fallbacks = std::int64_t(open.size());
     for (std::size_t attempt = 1; attempt < kAttempts.size() && !open.empty(); ++attempt) {

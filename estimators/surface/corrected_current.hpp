@@ -41,9 +41,8 @@ class CorrectedCurrentEstimator final : public Estimator<3> {
     // The farthest that counts is a face around a vertex of one that the ball reaches.
     const QuadSurface surface(set_, surfels, {ball_.value + 3});
     const Current current(surface, corrected_normals(surface));
-    Estimates result{
-        {kSurfaceQuantities.begin(), kSurfaceQuantities.end()},
-        std::vector<std::vector<double>>(kSurfaceQuantities.size(), std::vector<double>(surfels.size()))};
+    Estimates result =
+        Estimates::zeros({kSurfaceQuantities.begin(), kSurfaceQuantities.end()}, surfels.size());
     PerWorker<BallWalk> walks{BallWalk(surface)};
     parallel_chunks(surfels.size(), 64, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i != end; ++i) {
@@ -57,8 +56,7 @@ class CorrectedCurrentEstimator final : public Estimator<3> {
         const double h = h_.value;
         principal.k1 /= h;
         principal.k2 /= h;
-        const auto values = surface_values(mean / h, gaussian / (h * h), principal);
-        for (std::size_t c = 0; c < values.size(); ++c) result.columns[c][i] = values[c];
+        result.set_row(i, surface_values(mean / h, gaussian / (h * h), principal));
       }
     });
     return result;

@@ -43,14 +43,11 @@ class JetFitting final : public Estimator<3> {
     expects(radius_.value > 0, "init() before eval()");
     const QuadSurface surface(set_, surfels, {radius_.value + 2});
     PerWorker<BallWalk> walks{BallWalk(surface)};
-    Estimates result{
-        {kSurfaceQuantities.begin(), kSurfaceQuantities.end()},
-        std::vector<std::vector<double>>(kSurfaceQuantities.size(), std::vector<double>(surfels.size()))};
+    Estimates result =
+        Estimates::zeros({kSurfaceQuantities.begin(), kSurfaceQuantities.end()}, surfels.size());
     parallel_chunks(surfels.size(), 64, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i != end; ++i) {
-        const auto values = evaluate(surface, surfels[i], walks.local());
-        for (std::size_t c = 0; c < values.size(); ++c) result.columns[c][i] = values[c];
-      }
+      for (std::size_t i = begin; i != end; ++i)
+        result.set_row(i, evaluate(surface, surfels[i], walks.local()));
     });
     work_.evaluations = std::int64_t(surfels.size());
     return result;

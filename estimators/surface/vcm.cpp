@@ -44,13 +44,10 @@ class VoronoiCovarianceNormal final : public Estimator<3> {
     const QuadSurface surface(set_, surfels, {R + 2});
     const std::vector<Eigen::Matrix3d> covariances = at_vertices(surface, surfels);
     PerWorker<Gathering> gatherings{Gathering(surface)};
-    Estimates result{{kQuantities.begin(), kQuantities.end()},
-                     std::vector<std::vector<double>>(3, std::vector<double>(surfels.size()))};
+    Estimates result = Estimates::zeros({kQuantities.begin(), kQuantities.end()}, surfels.size());
     parallel_chunks(surfels.size(), 64, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i != end; ++i) {
-        const Eigen::Vector3d normal = gatherings.local().normal(surfels[i], R, covariances);
-        for (int k = 0; k < 3; ++k) result.columns[std::size_t(k)][i] = normal[k];
-      }
+      for (std::size_t i = begin; i != end; ++i)
+        result.set_row(i, gatherings.local().normal(surfels[i], R, covariances));
     });
     work_.evaluations = std::int64_t(surfels.size());
     return result;

@@ -4,6 +4,7 @@
 
 #include "estimators/integral_invariant/radial/radial_curvature.hpp"
 #include "estimators/integral_invariant/radial/radial_sums.hpp"
+#include "shapes/base/parallel.hpp"
 
 namespace gridstep {
 
@@ -47,20 +48,16 @@ class RadialIntegralInvariant final : public Estimator<d> {
 
   Estimates eval(std::span<const Surfel<d>> surfels) override {
     const std::vector<RadialSum> sums = sums_.eval(surfels);
-    const auto table = [&](std::vector<std::string> names) {
-      const std::size_t columns = names.size();
-      return Estimates{std::move(names), {columns, std::vector<double>(surfels.size())}};
-    };
-    Estimates result = table(mean_alone_ ? std::vector<std::string>{"mean"} : quantities());
-    raw_ = table(raw_names());
-    for (std::size_t i = 0; i < surfels.size(); ++i) {
-      const auto fill = [i](Estimates& estimates, const auto& values) {
-        for (std::size_t c = 0; c < estimates.columns.size(); ++c)
-          estimates.columns[c][i] = double(values[c]);
-      };
-      fill(raw_, raw_of(sums[i]));
-      fill(result, values_of(sums[i], surfels[i]));
-    }
+    Estimates result =
+        Estimates::zeros(mean_alone_ ? std::vector<std::string>{"mean"} : quantities(), surfels.size());
+    raw_ = Estimates::zeros(raw_names(), surfels.size());
+    constexpr std::size_t kGrain = 256;
+    parallel_chunks(surfels.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i != end; ++i) {
+        raw_.set_row(i, raw_of(sums[i]));
+        result.set_row(i, values_of(sums[i], surfels[i]));
+      }
+    });
     return result;
   }
 
