@@ -125,8 +125,11 @@ class MethodRun {
     record_.seconds_truth += seconds_truth;
     parallel_chunks(compared_.size(), 1, [&](std::size_t begin, std::size_t end) {
       for (std::size_t c = begin; c != end; ++c) {
-        const std::vector<double> known = known_only(errors_of(compared_[c], estimates, truth), truth);
-        errors_[c].insert(errors_[c].end(), known.begin(), known.end());
+        std::vector<double> known = known_only(errors_of(compared_[c], estimates, truth), truth);
+        if (errors_[c].empty())
+          errors_[c] = std::move(known);
+        else
+          errors_[c].insert(errors_[c].end(), known.begin(), known.end());
       }
     });
   }

@@ -8,12 +8,6 @@
 
 namespace gridstep {
 
-/// A product by a number, for scalars that know no shorter way.
-template <class Scalar>
-Scalar scaled(const Scalar& a, double factor) {
-  return a * Scalar(factor);
-}
-
 /// A polynomial in x, y, z as it was written: a list of operations on registers, kept in the order of the
 /// text, so that doubles, intervals and derivatives are all evaluated alike. What the text repeats is done once.
 ///

@@ -36,6 +36,13 @@ double ImplicitShape<d>::value(const RealPoint<d>& p) const {
 }
 
 template <int d>
+Jet1<double, d> ImplicitShape<d>::slopes(const RealPoint<d>& p) const {
+  std::array<Jet1<double, d>, d> variables;
+  for (int k = 0; k < d; ++k) variables[k] = Jet1<double, d>::variable(p[k], k);
+  return formula_(std::span<const Jet1<double, d>>(variables));
+}
+
+template <int d>
 Jet2<d> ImplicitShape<d>::jet(const RealPoint<d>& p) const {
   std::array<Jet2<d>, d> variables;
   for (int k = 0; k < d; ++k) variables[k] = Jet2<d>::variable(p[k], k);
@@ -129,18 +136,18 @@ auto ImplicitShape<d>::newton(const RealPoint<d>& query, const RealPoint<d>& sta
   using System = Eigen::Matrix<double, d + 1, d + 1>;
   using Vector = Eigen::Matrix<double, d + 1, 1>;
   RealPoint<d> q = start;
-  Jet2<d> f = jet(q);
-  double t = 0;
   if (start == query) {
     // One step along the gradient lands near the boundary, where the system is well conditioned.
-    const double squared = f.gradient.squaredNorm();
+    const Jet1<double, d> f = slopes(q);
+    const Eigen::Map<const RealPoint<d>> gradient(f.gradient.data());
+    const double squared = gradient.squaredNorm();
     if (!(squared > 0)) return std::nullopt;
-    RealPoint<d> step = (f.value / squared) * f.gradient;
+    RealPoint<d> step = (f.value / squared) * gradient;
     if (step.norm() > within) step *= within / step.norm();
     q -= step;
-    f = jet(q);
   }
-  t = (query - q).dot(f.gradient) / f.gradient.squaredNorm();
+  Jet2<d> f = jet(q);
+  double t = (query - q).dot(f.gradient) / f.gradient.squaredNorm();
   double last = std::numeric_limits<double>::infinity();
   std::optional<Foot> best;  // with the smallest residual, `last`
   int stalled = 0;

@@ -3,6 +3,8 @@
 #include <Eigen/Core>
 #include <array>
 
+#include "shapes/base/interval.hpp"
+
 namespace gridstep {
 
 /// A value with its first derivatives in d variables (forward differentiation); T is double, Interval, or
@@ -35,6 +37,12 @@ struct Jet1 {
     c.value = a.value * b.value;
     for (int k = 0; k < d; ++k) c.gradient[k] = a.gradient[k] * b.value + a.value * b.gradient[k];
     return c;
+  }
+  friend Jet1 scaled(Jet1 a, double factor) {
+    using gridstep::scaled;
+    a.value = scaled(a.value, factor);
+    for (T& slope : a.gradient) slope = scaled(slope, factor);
+    return a;
   }
   friend Jet1 square(const Jet1& a) {
     using gridstep::square;

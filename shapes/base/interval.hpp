@@ -21,6 +21,12 @@ inline Interval square(const Interval& x) {
   return boost::numeric::square(x);
 }
 
+/// x times a number, for scalars that know no shorter way than a product of two.
+template <class Scalar>
+Scalar scaled(const Scalar& x, double factor) {
+  return x * Scalar(factor);
+}
+
 /// x^n by repeated multiplication, in the same order for doubles and for intervals; n >= 0.
 template <class Scalar>
 Scalar integer_power(const Scalar& x, int n) {

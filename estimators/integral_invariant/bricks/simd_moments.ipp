@@ -48,6 +48,15 @@ struct LineWeights {
     even = hn::Load(ShortTag(), evens.data());
     odd = hn::Load(ShortTag(), odds.data());
   }
+  /// Of numbers whose weighted sums fit 16 bits.
+  HWY_INLINE SliceSums of(Shorts even_numbers, Shorts odd_numbers) const {
+    return sums_of_shorts(hn::Add(hn::Mul(even_numbers, even), hn::Mul(odd_numbers, odd)));
+  }
+  /// Of bytes in one vector.
+  HWY_INLINE SliceSums of(Bytes numbers) const {
+    const auto v = hn::BitCast(ShortTag(), numbers);
+    return of(hn::And(v, hn::Set(ShortTag(), std::uint16_t{0x00ff})), hn::ShiftRight<8>(v));
+  }
   /// Of bytes, where the products fit bytes.
   HWY_INLINE SliceSums of_small(Shorts even_bytes, Shorts odd_bytes) const {
     // The odd bytes stay in place: their products are those of the byte, times 256.
@@ -57,7 +66,7 @@ struct LineWeights {
 
 struct Constants {
   LineWeights line{{0, 1, 2, 3, 4, 5, 6, 7}};
-  LineWeights triangular{{0, 0, 1, 3, 6, 10, 15, 21}};  // y (y - 1) / 2
+  LineWeights square{{0, 1, 4, 9, 16, 25, 36, 49}};
   Bytes nibble, count, low_x, high_x, low_xx, high_xx;
 
   Constants() {
@@ -81,24 +90,19 @@ struct Constants {
   }
 };
 
-HWY_INLINE Local sums_of_bits(const Constants& k, Bytes bits) {
-  const ShortTag shorts;
+/// Sums over each line of a brick.
+struct LineSums {
+  Bytes n, x, xx;
+};
+
+HWY_INLINE LineSums line_sums(const Constants& k, Bytes bits) {
   const auto low = hn::And(bits, k.nibble);
-  const auto high = hn::And(hn::BitCast(ByteTag(), hn::ShiftRight<4>(hn::BitCast(shorts, bits))), k.nibble);
+  const auto high =
+      hn::And(hn::BitCast(ByteTag(), hn::ShiftRight<4>(hn::BitCast(ShortTag(), bits))), k.nibble);
   const auto lookup = [&](Bytes of_low, Bytes of_high) HWY_ATTR {
     return hn::Add(hn::TableLookupBytes(of_low, low), hn::TableLookupBytes(of_high, high));
   };
-  const Bytes n = lookup(k.count, k.count), x = lookup(k.low_x, k.high_x), xx = lookup(k.low_xx, k.high_xx);
-  const auto evens = hn::Set(shorts, std::uint16_t{0x00ff}), odds = hn::Set(shorts, std::uint16_t{0xff00});
-  const auto n_even = hn::And(hn::BitCast(shorts, n), evens), n_odd = hn::And(hn::BitCast(shorts, n), odds);
-  const auto x_even = hn::And(hn::BitCast(shorts, x), evens), x_odd = hn::And(hn::BitCast(shorts, x), odds);
-  const SliceSums y = k.line.of_small(n_even, n_odd), triangular = k.triangular.of_small(n_even, n_odd);
-  return {sums_of_bytes(n),
-          sums_of_bytes(x),
-          y,
-          sums_of_bytes(xx),
-          k.line.of_small(x_even, x_odd),
-          hn::Add(hn::Add(triangular, triangular), y)};
+  return {lookup(k.count, k.count), lookup(k.low_x, k.high_x), lookup(k.low_xx, k.high_xx)};
 }
 
 /// Lines that begin at x = 0 and go up, or down, `lengths` points.
@@ -106,9 +110,6 @@ HWY_INLINE Local sums_of_lengths(const Constants& k, Bytes lengths, bool down) {
   const ShortTag shorts;
   const auto s = hn::BitCast(shorts, lengths);
   const auto even = hn::And(s, hn::Set(shorts, std::uint16_t{0x00ff})), odd = hn::ShiftRight<8>(s);
-  const auto weighted = [&](const LineWeights& w) HWY_ATTR {
-    return sums_of_shorts(hn::Add(hn::Mul(even, w.even), hn::Mul(odd, w.odd)));
-  };
   // j = s (s - 1) / 2 = 0 + ... + (s - 1) is at most 32385, and two of them fit 16 bits.
   const auto sum_to = [&](Shorts v) HWY_ATTR { return hn::ShiftRight<1>(hn::Sub(hn::Mul(v, v), v)); };
   const auto j_even = sum_to(even), j_odd = sum_to(odd);
@@ -143,17 +144,31 @@ HWY_INLINE Local sums_of_lengths(const Constants& k, Bytes lengths, bool down) {
     x = hn::Neg(x);
     xy = hn::Neg(xy);
   }
-  const SliceSums y = weighted(k.line), triangular = weighted(k.triangular);
-  return {sums_of_bytes(lengths), x, y, xx, xy, hn::Add(hn::Add(triangular, triangular), y)};
+  return {sums_of_bytes(lengths), x, k.line.of(even, odd), xx, xy, k.square.of(even, odd)};
 }
 
 /// Sums in coordinates of the source brick, entry by entry, slab by slab; a slab is the rows of one oz.
 class Accumulator {
  public:
-  Accumulator() {
+  explicit Accumulator(const Constants& k) : k_(k) {
+    lines_n_ = lines_x_ = hn::Zero(ByteTag());
     n_ = x_ = y_ = xx_ = xy_ = yy_ = total_n_ = total_x_ = total_y_ = z_ = xz_ = yz_ = zz_ = constant(0);
   }
 
+  /// Adds the bits of a brick that begins at (x0, y0) in the slab.
+  HWY_INLINE void add(Bytes bits, int x0, int y0) {
+    const LineSums lines = line_sums(k_, bits);
+    const auto n = hn::BitCast(ShortTag(), lines.n);
+    const auto even = hn::And(n, hn::Set(ShortTag(), std::uint16_t{0x00ff})),
+               odd = hn::And(n, hn::Set(ShortTag(), std::uint16_t{0xff00}));
+    // What is multiplied by y alone is the same for all bricks, and is done for many at once.
+    add({sums_of_bytes(lines.n), sums_of_bytes(lines.x), k_.line.of_small(even, odd), sums_of_bytes(lines.xx),
+         constant(0), constant(0)},
+        x0, y0);
+    lines_n_ = hn::Add(lines_n_, lines.n);
+    lines_x_ = hn::Add(lines_x_, lines.x);
+    if (++bricks_in_lines_ == 255 / 28) end_lines();
+  }
   /// Adds sums whose origin is at (x0, y0) in the slab.
   HWY_INLINE void add(const Local& own, int x0, int y0) {
     const SliceSums X = constant(x0), Y = constant(y0);
@@ -177,7 +192,8 @@ class Accumulator {
     zz_ = hn::Add(zz_, times(n_, zz));
     n_ = x_ = y_ = constant(0);
   }
-  HWY_INLINE Moments sums() const {
+  HWY_INLINE Moments sums() {
+    end_lines();
     const auto all = [](SliceSums v)
                          HWY_ATTR { return std::uint64_t(hn::GetLane(hn::SumOfLanes(SumTag(), v))); };
     return {all(total_n_),
@@ -186,6 +202,16 @@ class Accumulator {
   }
 
  private:
+  HWY_INLINE void end_lines() {
+    xy_ = hn::Add(xy_, k_.line.of(lines_x_));
+    yy_ = hn::Add(yy_, k_.square.of(lines_n_));
+    lines_n_ = lines_x_ = hn::Zero(ByteTag());
+    bricks_in_lines_ = 0;
+  }
+
+  const Constants& k_;
+  Bytes lines_n_, lines_x_;  // bricks one upon the other: at most 8 and 28 for each
+  int bricks_in_lines_ = 0;
   SliceSums n_, x_, y_, xx_, xy_, yy_;  // of the slab; the last three of all slabs
   SliceSums total_n_, total_x_, total_y_, z_, xz_, yz_, zz_;
 };
@@ -193,45 +219,39 @@ class Accumulator {
 /// The sums over the slices of one vector, `at` bytes into every brick.
 HWY_INLINE Moments sums_of_slices(const SourceLists<3, Moments>& lists, const AlignedBall<3>& ball,
                                   const Constants& k, std::size_t at) {
-  const ByteTag tag;
-  const Lines<3>::Widths* const widths = ball.widths();
+  const auto bit = std::uint16_t(ball.bit);
+  const LineBalls<1> balls(*ball.ball, &bit, at);
   const auto& rows = ball.ball->rows();
-  const int to_right = ball.to_right(), to_left = ball.to_left();
-  const ByteMasks masks(to_right, to_left);
-  Accumulator sums;
+  Accumulator sums(k);
 
-  const auto row_widths = [&](std::uint32_t row)
-                              HWY_ATTR { return hn::Load(tag, widths[row].of.data() + at); };
-  const auto add_mixed = [&](const std::vector<MixedBrick>& entries, std::size_t& next, std::uint32_t end,
-                             auto mask) HWY_ATTR {
-    for (; next < entries.size() && entries[next].row < end; ++next) {
-      const MixedBrick& entry = entries[next];
-      const auto* const brick = reinterpret_cast<const std::uint8_t*>(entry.words) + at;
-      const Bytes bits = hn::And(mask(row_widths(entry.row), entry.from), hn::Load(tag, brick));
-      sums.add(sums_of_bits(k, bits), 8 * entry.offset, 8 * rows[entry.row].brick[1]);
+  const auto add_mixed = [&](auto& cuts, const std::vector<MixedBrick>& entries, std::uint32_t end) HWY_ATTR {
+    while (cuts.entry != entries.data() + entries.size() && cuts.entry->row < end) {
+      const MixedBrick& entry = *cuts.entry;
+      const Cut<1> cut = cuts.next();
+      sums.add(hn::And(cut.bits, cut.masks.of[0]), 8 * entry.offset, 8 * rows[entry.row].brick[1]);
     }
   };
   const auto add_full = [&](const std::vector<FullRun>& runs, std::size_t& next, std::uint32_t end, int to,
                             bool down) HWY_ATTR {
     for (; next < runs.size() && runs[next].row < end; ++next) {
       const FullRun& run = runs[next];
-      const Bytes lengths = clipped(row_widths(run.row), run.from + to, run.length);
+      const Bytes lengths = hn::Min(balls.beyond(run.row, run.from + to), hn::Set(ByteTag(), std::uint8_t(run.length)));
       sums.add(sums_of_lengths(k, lengths, down), 8 * run.offset + (down ? 7 : 0),
                8 * rows[run.row].brick[1]);
     }
   };
-  std::array<std::size_t, 5> next{};
+  Cuts<1, true, false> right{balls, lists.right.mixed.data()};
+  Cuts<1, false, true> left{balls, lists.left.mixed.data()};
+  Cuts<1, true, true> middle{balls, lists.middle.data()};
+  std::array<std::size_t, 2> next{};
   for (std::uint32_t begin = 0, end = 0; begin < rows.size(); begin = end) {
     const int slab = rows[begin].brick[2];
     while (end < rows.size() && rows[end].brick[2] == slab) ++end;
-    add_mixed(lists.right.mixed, next[0], end,
-              [&](Bytes row, int from) HWY_ATTR { return masks.right(row, from); });
-    add_mixed(lists.left.mixed, next[1], end,
-              [&](Bytes row, int from) HWY_ATTR { return masks.left(row, from); });
-    add_mixed(lists.middle, next[2], end,
-              [&](Bytes row, int from) HWY_ATTR { return masks.middle(row, from); });
-    add_full(lists.right.full, next[3], end, to_right, false);
-    add_full(lists.left.full, next[4], end, to_left, true);
+    add_mixed(right, lists.right.mixed, end);
+    add_mixed(left, lists.left.mixed, end);
+    add_mixed(middle, lists.middle, end);
+    add_full(lists.right.full, next[0], end, ball.to_right(), false);
+    add_full(lists.left.full, next[1], end, ball.to_left(), true);
     sums.end_slab(8 * slab + int(at / 8));
   }
   return sums.sums();
