@@ -1,6 +1,7 @@
 #include "estimators/estimator.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "shapes/base/contracts.hpp"
 

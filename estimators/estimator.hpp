@@ -18,7 +18,7 @@ struct Estimates {
 
   /// A table of that many rows, to be filled.
   static Estimates zeros(std::vector<std::string> quantities, std::size_t rows);
-  /// One value for each quantity.
+  /// values[c] is for quantity c; any more are left out. Rows may be set from several threads at once.
   template <class Values>
   void set_row(std::size_t i, const Values& values) {
     for (std::size_t c = 0; c < columns.size(); ++c) columns[c][i] = double(values[c]);

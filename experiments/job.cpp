@@ -145,7 +145,7 @@ class MethodRun {
         if (!errors_[c].empty()) norms[c] = error_norms(errors_[c]);
     });
     for (std::size_t c = 0; c < compared_.size(); ++c)
-      if (!errors_[c].empty()) record_.errors.emplace_back(compared_[c].name, norms[c]);
+      if (norms[c].count > 0) record_.errors.emplace_back(compared_[c].name, norms[c]);
     return std::move(record_);
   }
 

@@ -23,6 +23,28 @@ Scene<d> digitized_scene(const Shape<d>& shape, const SceneSettings<d>& settings
       fmt::format("h = {}: the digital set is empty; the grid step is coarser than the shape", h.value));
 }
 
+/// How to read a quantity off a boundary point. @throws ContractViolation where there is none of that name.
+template <int d>
+std::function<double(const BoundaryPoint<d>&)> reader_of(const std::string& name) {
+  using Point = BoundaryPoint<d>;
+  for (int k = 0; k < d; ++k) {
+    const std::string end = std::string("_") + "xyz"[k];
+    if (name == "normal" + end) return [k](const Point& p) { return p.normal[k]; };
+    if (name == (d == 2 ? "tangent" : "dir1") + end) return [k](const Point& p) { return p.direction[0][k]; };
+    if constexpr (d == 3)
+      if (name == "dir2" + end) return [k](const Point& p) { return p.direction[1][k]; };
+  }
+  if constexpr (d == 2) {
+    if (name == "kappa") return [](const Point& p) { return p.curvature[0]; };
+  } else {
+    if (name == "mean") return [](const Point& p) { return (p.curvature[0] + p.curvature[1]) / 2; };
+    if (name == "gaussian") return [](const Point& p) { return p.curvature[0] * p.curvature[1]; };
+    if (name == "k1") return [](const Point& p) { return p.curvature[0]; };
+    if (name == "k2") return [](const Point& p) { return p.curvature[1]; };
+  }
+  throw ContractViolation("expected a quantity of differential geometry, not '" + name + "'");
+}
+
 }  // namespace
 
 template <int d>
@@ -55,27 +77,6 @@ void for_each_part(const Shape<d>& shape, const SceneSettings<d>& settings, std:
 }
 
 template <int d>
-std::function<double(const BoundaryPoint<d>&)> quantity_at_point(const std::string& name) {
-  using Point = BoundaryPoint<d>;
-  for (int k = 0; k < d; ++k) {
-    const std::string end = std::string("_") + "xyz"[k];
-    if (name == "normal" + end) return [k](const Point& p) { return p.normal[k]; };
-    if (name == (d == 2 ? "tangent" : "dir1") + end) return [k](const Point& p) { return p.direction[0][k]; };
-    if constexpr (d == 3)
-      if (name == "dir2" + end) return [k](const Point& p) { return p.direction[1][k]; };
-  }
-  if constexpr (d == 2) {
-    if (name == "kappa") return [](const Point& p) { return p.curvature[0]; };
-  } else {
-    if (name == "mean") return [](const Point& p) { return (p.curvature[0] + p.curvature[1]) / 2; };
-    if (name == "gaussian") return [](const Point& p) { return p.curvature[0] * p.curvature[1]; };
-    if (name == "k1") return [](const Point& p) { return p.curvature[0]; };
-    if (name == "k2") return [](const Point& p) { return p.curvature[1]; };
-  }
-  throw ContractViolation("expected a quantity of differential geometry, not '" + name + "'");
-}
-
-template <int d>
 Truth truth_at(const Shape<d>& shape, const SceneSettings<d>& settings,
                const std::vector<RealPoint<d>>& points, EuclideanLength within,
                const std::vector<std::string>& quantities) {
@@ -86,8 +87,8 @@ Truth truth_at(const Shape<d>& shape, const SceneSettings<d>& settings,
   truth.quantities = quantities;
   truth.columns.assign(quantities.size(), std::vector<double>(points.size(), 0.0));
   truth.known.assign(points.size(), 0);
-  std::vector<std::function<double(const BoundaryPoint<d>&)>> values;
-  for (const std::string& quantity : quantities) values.push_back(quantity_at_point<d>(quantity));
+  std::vector<std::function<double(const BoundaryPoint<d>&)>> readers;
+  for (const std::string& quantity : quantities) readers.push_back(reader_of<d>(quantity));
   struct Tally {
     std::int64_t singular = 0, far = 0;
     double worst_residual = 0;
@@ -113,7 +114,7 @@ Truth truth_at(const Shape<d>& shape, const SceneSettings<d>& settings,
         direction = settings.placement.direction_to_world(direction);
       truth.known[i] = 1;
       tally.worst_residual = std::max(tally.worst_residual, point->residual);
-      for (std::size_t q = 0; q < quantities.size(); ++q) truth.columns[q][i] = values[q](*point);
+      for (std::size_t q = 0; q < quantities.size(); ++q) truth.columns[q][i] = readers[q](*point);
     }
   });
   tallies.for_each([&](const Tally& tally) {
@@ -139,7 +140,6 @@ Truth truth_at_surfels(const Shape<d>& shape, const SceneSettings<d>& settings,
   template Scene<d> make_scene(const Shape<d>&, const SceneSettings<d>&);                                  \
   template void for_each_part(const Shape<d>&, const SceneSettings<d>&, std::size_t,                       \
                               const std::function<void(const Scene<d>&)>&);                                \
-  template std::function<double(const BoundaryPoint<d>&)> quantity_at_point(const std::string&);           \
   template Truth truth_at(const Shape<d>&, const SceneSettings<d>&, const std::vector<RealPoint<d>>&,      \
                           EuclideanLength, const std::vector<std::string>&);                               \
   template Truth truth_at_surfels(const Shape<d>&, const SceneSettings<d>&, const std::vector<Surfel<d>>&, \

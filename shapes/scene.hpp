@@ -76,9 +76,4 @@ template <int d>
 Truth truth_at_surfels(const Shape<d>& shape, const SceneSettings<d>& settings,
                        const std::vector<Surfel<d>>& surfels, const std::vector<std::string>& quantities);
 
-/// How to read a quantity off a boundary point, in the frame of the shape. @throws ContractViolation where there is none of
-/// that name.
-template <int d>
-std::function<double(const BoundaryPoint<d>&)> quantity_at_point(const std::string& name);
-
 }  // namespace gridstep

@@ -30,6 +30,7 @@ class IntegralInvariant final : public Estimator<d> {
     raw_ = Estimates::zeros({"sum"}, pairs.size());
     Estimates result = Estimates::zeros({d == 2 ? "kappa" : "mean"}, pairs.size());
     const double cell = std::pow(h_.value, d);
+    constexpr std::size_t kGrain = 1024;
     parallel_chunks(pairs.size(), kGrain, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i != end; ++i) {
         const double sum = 0.5 * double(pairs[i].inner.n + pairs[i].outer.n);
@@ -45,8 +46,6 @@ class IntegralInvariant final : public Estimator<d> {
   EstimatorWork work() const override { return sums_.work(); }
 
  private:
-  static constexpr std::size_t kGrain = 1024;
-
   SurfelSums<d, PlainSum<d, std::int64_t>> sums_;
   GridStep h_{};
   EuclideanLength R_{};

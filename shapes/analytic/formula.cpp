@@ -57,16 +57,18 @@ class Formula::Parser {
     ++at_;
     return true;
   }
-  /// Appends an operation, or its value where both operands are constants written next to each other.
+  /// Appends an operation, by a number in place of a constant factor; or its value where both operands are constants
+  /// written next to each other.
   Term emit_binary(Kind kind, const Term& left, const Term& right, int degree) {
     std::vector<Operation>& all = formula_.operations_;
     const auto is_last_but = [&](int n, const Term& term) {
       return term.reg == int(all.size()) - 1 - n && all[std::size_t(term.reg)].kind == Kind::constant;
     };
     if (!is_last_but(1, left) || !is_last_but(0, right)) {
-      for (const auto& [factor, other] : {std::pair(left, right), std::pair(right, left)})
-        if (kind == Kind::product && all[std::size_t(factor.reg)].kind == Kind::constant)
-          return emit({Kind::scaled, other.reg, 0, all[std::size_t(factor.reg)].number}, degree);
+      if (kind == Kind::product)
+        for (const auto& [factor, other] : {std::pair(left, right), std::pair(right, left)})
+          if (const Operation& by = all[std::size_t(factor.reg)]; by.kind == Kind::constant)
+            return emit({Kind::scaled, other.reg, 0, by.number}, degree);
       return emit({kind, left.reg, right.reg}, degree);
     }
     const double b = all.back().number;
@@ -117,8 +119,12 @@ class Formula::Parser {
     if (++depth_ > kMaxDepth) fail(fmt::format("at most {} nested parentheses and signs", kMaxDepth));
     Term term;
     if (accept('-')) {
-      const Term operand = power();
-      term = emit({Kind::scaled, operand.reg, 0, -1.0}, operand.degree);
+      term = power();
+      Operation& last = formula_.operations_.back();
+      if (last.kind == Kind::constant && term.reg == int(formula_.operations_.size()) - 1)
+        last.number = -last.number;
+      else
+        term = emit({Kind::scaled, term.reg, 0, -1.0}, term.degree);
     } else if (accept('+')) {
       term = power();
     } else {
@@ -175,7 +181,31 @@ class Formula::Parser {
 };
 
 Formula::Formula(const std::string& text) : text_(text) {
-  degree_ = Parser(text_, *this).parse().degree;
+  const auto [value, degree] = Parser(text_, *this).parse();
+  degree_ = degree;
+  keep_operands_of(value);
+}
+
+void Formula::keep_operands_of(int value) {
+  const auto operands = [](Operation& o) -> std::vector<int*> {
+    if (o.kind == Kind::constant || o.kind == Kind::variable) return {};
+    if (o.kind == Kind::scaled || o.kind == Kind::square) return {&o.left};
+    return {&o.left, &o.right};
+  };
+  std::vector<bool> needed(operations_.size());
+  needed[std::size_t(value)] = true;
+  for (std::size_t i = operations_.size(); i-- > 0;)
+    if (needed[i])
+      for (const int* operand : operands(operations_[i])) needed[std::size_t(*operand)] = true;
+  std::vector<int> kept(operations_.size());
+  std::vector<Operation> result;
+  for (std::size_t i = 0; i < operations_.size(); ++i) {
+    if (!needed[i]) continue;
+    for (int* operand : operands(operations_[i])) *operand = kept[std::size_t(*operand)];
+    kept[i] = int(result.size());
+    result.push_back(operations_[i]);
+  }
+  operations_ = std::move(result);
 }
 
 double Formula::magnitude(std::span<const double> magnitudes) const {

@@ -23,8 +23,8 @@ class Formula {
   int variables() const { return variables_; }
   int degree() const { return degree_; }
 
-  /// Its value where variables[k] is the k-th coordinate. Scalar: double, Interval, a jet; has +, -, *, and
-  /// is made from a double.
+  /// Its value where variables[k] is the k-th coordinate. Scalar: double, Interval, a jet; has +, -, *, square() and
+  /// scaled(), and is made from a double.
   template <class Scalar>
   Scalar operator()(std::span<const Scalar> variables) const {
     thread_local std::vector<Scalar> r;
@@ -71,6 +71,9 @@ class Formula {
     friend bool operator==(const Operation&, const Operation&) = default;
   };
   class Parser;
+
+  /// Drops what the value in a register does not need, so that this is the last one.
+  void keep_operands_of(int value);
 
   std::string text_;
   std::vector<Operation> operations_;  // operation i writes register i; the last one is the value

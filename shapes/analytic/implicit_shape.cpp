@@ -36,17 +36,11 @@ double ImplicitShape<d>::value(const RealPoint<d>& p) const {
 }
 
 template <int d>
-Jet1<double, d> ImplicitShape<d>::slopes(const RealPoint<d>& p) const {
-  std::array<Jet1<double, d>, d> variables;
-  for (int k = 0; k < d; ++k) variables[k] = Jet1<double, d>::variable(p[k], k);
-  return formula_(std::span<const Jet1<double, d>>(variables));
-}
-
-template <int d>
-Jet2<d> ImplicitShape<d>::jet(const RealPoint<d>& p) const {
-  std::array<Jet2<d>, d> variables;
-  for (int k = 0; k < d; ++k) variables[k] = Jet2<d>::variable(p[k], k);
-  return formula_(std::span<const Jet2<d>>(variables));
+template <class Jet>
+Jet ImplicitShape<d>::jet(const RealPoint<d>& p) const {
+  std::array<Jet, d> variables;
+  for (int k = 0; k < d; ++k) variables[k] = Jet::variable(p[k], k);
+  return formula_(std::span<const Jet>(variables));
 }
 
 template <int d>
@@ -138,7 +132,7 @@ auto ImplicitShape<d>::newton(const RealPoint<d>& query, const RealPoint<d>& sta
   RealPoint<d> q = start;
   if (start == query) {
     // One step along the gradient lands near the boundary, where the system is well conditioned.
-    const Jet1<double, d> f = slopes(q);
+    const auto f = jet<Jet1<double, d>>(q);
     const Eigen::Map<const RealPoint<d>> gradient(f.gradient.data());
     const double squared = gradient.squaredNorm();
     if (!(squared > 0)) return std::nullopt;

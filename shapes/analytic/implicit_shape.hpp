@@ -38,8 +38,8 @@ class ImplicitShape final : public Shape<d> {
   };
   Side side_of_polynomial(const RealBox<d>& box) const;
   double value(const RealPoint<d>& p) const;
-  Jet1<double, d> slopes(const RealPoint<d>& p) const;
-  Jet2<d> jet(const RealPoint<d>& p) const;
+  template <class Jet = Jet2<d>>
+  Jet jet(const RealPoint<d>& p) const;
   std::optional<Foot> newton(const RealPoint<d>& query, const RealPoint<d>& start, double within) const;
   std::optional<Foot> descend(const RealPoint<d>& query, const RealPoint<d>& start, double within) const;
   std::optional<RealPoint<d>> correct(RealPoint<d> p, double within) const;

@@ -64,41 +64,29 @@ struct Jet2 {
 
   Jet2() = default;
   explicit Jet2(double constant) : value(constant) {}
+  Jet2(double f, const Vector& slopes, const Matrix& second) : value(f), gradient(slopes), hessian(second) {}
   static Jet2 variable(double x, int k) {
     Jet2 jet(x);
     jet.gradient[k] = 1;
     return jet;
   }
-  friend Jet2 operator+(Jet2 a, const Jet2& b) {
-    a.value += b.value;
-    a.gradient += b.gradient;
-    a.hessian += b.hessian;
-    return a;
+  friend Jet2 operator+(const Jet2& a, const Jet2& b) {
+    return {a.value + b.value, a.gradient + b.gradient, a.hessian + b.hessian};
   }
-  friend Jet2 operator-(Jet2 a, const Jet2& b) {
-    a.value -= b.value;
-    a.gradient -= b.gradient;
-    a.hessian -= b.hessian;
-    return a;
+  friend Jet2 operator-(const Jet2& a, const Jet2& b) {
+    return {a.value - b.value, a.gradient - b.gradient, a.hessian - b.hessian};
   }
   friend Jet2 operator*(const Jet2& a, const Jet2& b) {
-    Jet2 c(a.value * b.value);
-    c.gradient = a.value * b.gradient + b.value * a.gradient;
-    c.hessian = a.value * b.hessian + b.value * a.hessian + a.gradient * b.gradient.transpose() +
-                b.gradient * a.gradient.transpose();
-    return c;
+    return {a.value * b.value, a.value * b.gradient + b.value * a.gradient,
+            a.value * b.hessian + b.value * a.hessian + a.gradient * b.gradient.transpose() +
+                b.gradient * a.gradient.transpose()};
   }
-  friend Jet2 scaled(Jet2 a, double factor) {
-    a.value *= factor;
-    a.gradient *= factor;
-    a.hessian *= factor;
-    return a;
+  friend Jet2 scaled(const Jet2& a, double factor) {
+    return {a.value * factor, a.gradient * factor, a.hessian * factor};
   }
   friend Jet2 square(const Jet2& a) {
-    Jet2 c(a.value * a.value);
-    c.gradient = (2 * a.value) * a.gradient;
-    c.hessian = (2 * a.value) * a.hessian + 2 * (a.gradient * a.gradient.transpose());
-    return c;
+    return {a.value * a.value, (2 * a.value) * a.gradient,
+            (2 * a.value) * a.hessian + 2 * (a.gradient * a.gradient.transpose())};
   }
 };
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "shapes/base/parallel.hpp"
@@ -34,15 +35,16 @@ Brick<d> bits_of(const LatticeBox<d>& block) {
   return bits;
 }
 
-/// What a bound says of the points of a block within a brick: open are those within its error, and what exceeds the
-/// rounding here, of a zero.
+/// What a bound says of the points of a block within a brick: open are those where |L| may be within the bound's error and
+/// the rounding here.
 ///
-/// Compares in short integers, of which a vector has eight, one for each word: the brick's greatest value is kGreatest
-/// units, so that what is cut off leaves hardly more points open.
+/// Compares in short integers, of which a vector has eight, one for each word: kGreatest units are more than |L| and the
+/// error come to in the brick, so that what is cut off leaves hardly more points open.
 template <int d>
 Decided<d> decide(const LatticeBox<d>& block, const AffineBound<d>& bound, double h) {
   constexpr double kGreatest = 32000;
   constexpr int kCutOff = 3;  // units: less than one for each of the numbers that are added up
+  static_assert(kGreatest + kCutOff + 1 <= std::numeric_limits<std::int16_t>::max());
   constexpr int kLines = d == 3 ? Brick<d>::extent(1) : 1;
   const LatticePoint<d> corner = Brick<d>::origin(Brick<d>::of(block.lo));
   const RealPoint<d> first = h * corner.template cast<double>(), step = h * bound.slope;
@@ -52,7 +54,7 @@ Decided<d> decide(const LatticeBox<d>& block, const AffineBound<d>& bound, doubl
   const double at_first = bound.value + bound.slope.dot(first - bound.centre);
   double greatest = std::abs(at_first) + margin;
   for (int k = 0; k < d; ++k) greatest += (Brick<d>::extent(k) - 1) * std::abs(step[k]);
-  const double units = kGreatest / greatest;  // of 1
+  const double units = kGreatest / greatest;  // in one
   Decided<d> result;
   result.open = bits_of(block);
   if (!std::isnormal(greatest) || !std::isnormal(units)) return result;

@@ -10,7 +10,7 @@ struct Group {
   Bytes of[N];
 };
 
-/// The bits of a brick, and for each ball of a group a mask of those in it.
+/// The bits of a brick, and for each ball of a group a mask of the points in that ball.
 template <std::size_t N>
 struct Cut {
   Bytes bits;
@@ -120,7 +120,7 @@ class BitCounter {
   }
 
   Group<N> ones_, twos_, fours_;  // bits not yet carried on
-  Group<N> eights_, rest_;        // counts; those of the rest are at most 3 (4 + 2 + 1) 8, and 7 * 8 fit in beside them
+  Group<N> eights_, rest_;        // counts; the rest is at most 3 (4 + 2 + 1) 8, and leaves room for 7 * 8
   Words total_[N];                // of eights
   int blocks_ = 0;
 };
@@ -157,9 +157,13 @@ struct LineBalls {
     const ByteTag tag;
     return hn::SaturatedSub(hn::Load(tag, widths[row].of.data() + at), hn::Set(tag, std::uint8_t(from)));
   }
+  /// Of those, points of each line of a run in one ball, on the right: to = to_right[i]; or on the left, with to_left[i].
+  static HWY_INLINE Bytes lengths(Bytes beyond, Bytes to, const FullRun& run) {
+    return hn::Min(hn::SaturatedSub(beyond, to), hn::Set(ByteTag(), std::uint8_t(run.length)));
+  }
 };
 
-/// The bits of mixed bricks that lie in the balls, brick by brick.
+/// Mixed bricks and what of them is in the balls, brick by brick.
 template <std::size_t N, bool kRight, bool kLeft>
 struct Cuts {
   const LineBalls<N>& balls;
@@ -169,6 +173,7 @@ struct Cuts {
     const ByteTag tag;
     Cut<N> cut;
     cut.bits = hn::Load(tag, reinterpret_cast<const std::uint8_t*>(entry->words) + balls.at);
+    // Without a skew, both sides reach alike.
     const Bytes right = kRight ? reached(0) : hn::Zero(tag);
     const Bytes left = !kLeft ? hn::Zero(tag) : kRight && balls.skew == 0 ? right : reached(balls.skew);
     for (std::size_t i = 0; i < N; ++i) {
@@ -181,7 +186,7 @@ struct Cuts {
     ++entry;
     return cut;
   }
-  /// Points of each line, as many as there are masks for.
+  /// Points of each line beyond `from`, at most 15: the tables have 16 masks.
   HWY_INLINE Bytes reached(int skew) const {
     return hn::Min(balls.beyond(entry->row, entry->from + skew), hn::Set(ByteTag(), std::uint8_t{15}));
   }
@@ -200,10 +205,9 @@ template <std::size_t N>
 HWY_INLINE void count_full(const std::vector<FullRun>& runs, const LineBalls<N>& balls, int skew,
                            const Bytes (&to)[N], Words (&totals)[N]) {
   for (const FullRun& run : runs) {
-    const Bytes most = hn::Set(ByteTag(), std::uint8_t(run.length)),
-                s = balls.beyond(run.row, run.from + skew);
+    const Bytes beyond = balls.beyond(run.row, run.from + skew);
     for (std::size_t i = 0; i < N; ++i)
-      totals[i] = hn::Add(totals[i], hn::SumsOf8(hn::Min(hn::SaturatedSub(s, to[i]), most)));
+      totals[i] = hn::Add(totals[i], hn::SumsOf8(balls.lengths(beyond, to[i], run)));
   }
 }
 

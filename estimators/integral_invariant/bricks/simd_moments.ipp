@@ -52,15 +52,17 @@ struct LineWeights {
   HWY_INLINE SliceSums of(Shorts even_numbers, Shorts odd_numbers) const {
     return sums_of_shorts(hn::Add(hn::Mul(even_numbers, even), hn::Mul(odd_numbers, odd)));
   }
-  /// Of bytes in one vector.
+  /// Of bytes.
   HWY_INLINE SliceSums of(Bytes numbers) const {
     const auto v = hn::BitCast(ShortTag(), numbers);
     return of(hn::And(v, hn::Set(ShortTag(), std::uint16_t{0x00ff})), hn::ShiftRight<8>(v));
   }
-  /// Of bytes, where the products fit bytes.
-  HWY_INLINE SliceSums of_small(Shorts even_bytes, Shorts odd_bytes) const {
-    // The odd bytes stay in place: their products are those of the byte, times 256.
-    return sums_of_bytes(hn::BitCast(ByteTag(), hn::Or(hn::Mul(even_bytes, even), hn::Mul(odd_bytes, odd))));
+  /// Of bytes whose products are bytes. The odd ones stay in place: their products are those of the byte, times 256.
+  HWY_INLINE SliceSums of_small(Bytes numbers) const {
+    const auto v = hn::BitCast(ShortTag(), numbers);
+    const auto evens = hn::And(v, hn::Set(ShortTag(), std::uint16_t{0x00ff})),
+               odds = hn::And(v, hn::Set(ShortTag(), std::uint16_t{0xff00}));
+    return sums_of_bytes(hn::BitCast(ByteTag(), hn::Or(hn::Mul(evens, even), hn::Mul(odds, odd))));
   }
 };
 
@@ -158,11 +160,8 @@ class Accumulator {
   /// Adds the bits of a brick that begins at (x0, y0) in the slab.
   HWY_INLINE void add(Bytes bits, int x0, int y0) {
     const LineSums lines = line_sums(k_, bits);
-    const auto n = hn::BitCast(ShortTag(), lines.n);
-    const auto even = hn::And(n, hn::Set(ShortTag(), std::uint16_t{0x00ff})),
-               odd = hn::And(n, hn::Set(ShortTag(), std::uint16_t{0xff00}));
-    // What is multiplied by y alone is the same for all bricks, and is done for many at once.
-    add({sums_of_bytes(lines.n), sums_of_bytes(lines.x), k_.line.of_small(even, odd), sums_of_bytes(lines.xx),
+    // A brick's own xy and yy do not depend on where it lies: end_lines() takes them from nine bricks at once.
+    add({sums_of_bytes(lines.n), sums_of_bytes(lines.x), k_.line.of_small(lines.n), sums_of_bytes(lines.xx),
          constant(0), constant(0)},
         x0, y0);
     lines_n_ = hn::Add(lines_n_, lines.n);
@@ -231,11 +230,12 @@ HWY_INLINE Moments sums_of_slices(const SourceLists<3, Moments>& lists, const Al
       sums.add(hn::And(cut.bits, cut.masks.of[0]), 8 * entry.offset, 8 * rows[entry.row].brick[1]);
     }
   };
-  const auto add_full = [&](const std::vector<FullRun>& runs, std::size_t& next, std::uint32_t end, int to,
+  const auto add_full = [&](const std::vector<FullRun>& runs, std::size_t& next, std::uint32_t end,
                             bool down) HWY_ATTR {
     for (; next < runs.size() && runs[next].row < end; ++next) {
       const FullRun& run = runs[next];
-      const Bytes lengths = hn::Min(balls.beyond(run.row, run.from + to), hn::Set(ByteTag(), std::uint8_t(run.length)));
+      const Bytes beyond = balls.beyond(run.row, run.from + (down ? balls.skew : 0));
+      const Bytes lengths = balls.lengths(beyond, down ? balls.to_left[0] : balls.to_right[0], run);
       sums.add(sums_of_lengths(k, lengths, down), 8 * run.offset + (down ? 7 : 0),
                8 * rows[run.row].brick[1]);
     }
@@ -250,8 +250,8 @@ HWY_INLINE Moments sums_of_slices(const SourceLists<3, Moments>& lists, const Al
     add_mixed(right, lists.right.mixed, end);
     add_mixed(left, lists.left.mixed, end);
     add_mixed(middle, lists.middle, end);
-    add_full(lists.right.full, next[0], end, ball.to_right(), false);
-    add_full(lists.left.full, next[1], end, ball.to_left(), true);
+    add_full(lists.right.full, next[0], end, false);
+    add_full(lists.left.full, next[1], end, true);
     sums.end_slab(8 * slab + int(at / 8));
   }
   return sums.sums();
