@@ -1,4 +1,4 @@
-// The number of points that a ball cuts out of M and F. Included once for each instruction set.
+// What balls cut out of M, and the number of points that they cut out of M and F. Included once for each instruction set.
 
 HWY_BEFORE_NAMESPACE();
 namespace gridstep::bricks::HWY_NAMESPACE {
