@@ -22,7 +22,7 @@ struct Decided {
 // Of GCC and Clang, on every processor: one operation on eight numbers. GCC 12 finds no such form by itself.
 using EightShorts [[gnu::vector_size(16)]] = std::int16_t;
 
-EightShorts eight_times(int number) {
+EightShorts eight_of(int number) {
   const auto n = std::int16_t(number);
   return EightShorts{n, n, n, n, n, n, n, n};
 }
@@ -73,9 +73,9 @@ Decided<d> decide(const LatticeBox<d>& block, const AffineBound<d>& bound, doubl
   std::array<EightShorts, 4> inside{}, outside{};  // 16 bits of each word
   for (int x = 0; x < Brick<d>::extent(0); ++x) {
     const std::int16_t along = in_units(x * step[0]);
-    const EightShorts low = eight_times(-within - along), high = eight_times(within - along);
+    const EightShorts low = eight_of(-within - along), high = eight_of(within - along);
     for (int y = 0; y < kLines; ++y) {
-      const EightShorts bit = eight_times(1 << ((x + 8 * y) % 16));
+      const EightShorts bit = eight_of(1 << ((x + 8 * y) % 16));
       const auto part = std::size_t(x + 8 * y) / 16;
       inside[part] |= (levels[std::size_t(y)] < low) & bit;
       outside[part] |= (levels[std::size_t(y)] > high) & bit;
