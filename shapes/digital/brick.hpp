@@ -11,6 +11,14 @@ namespace gridstep {
 // Of GCC and Clang, on every processor: one operation on two words. GCC 12 finds no such form by itself.
 using TwoWords [[gnu::vector_size(16)]] = std::uint64_t;
 
+/// Number of set bits, as sums of ever longer groups of them. std::popcount() is a call where the processor may lack its
+/// instruction.
+inline int count_bits(std::uint64_t word) {
+  word -= (word >> 1) & 0x5555555555555555u;
+  word = (word & 0x3333333333333333u) + ((word >> 2) & 0x3333333333333333u);
+  return int(((word + (word >> 4)) & 0x0f0f0f0f0f0f0f0fu) * 0x0101010101010101u >> 56);
+}
+
 /// A block of 512 digital points as bits: 8 x 8 x 8 in 3D (one byte a row of x), 64 x 8 in 2D (one word a
 /// row). Bit index x + extent_x (y + extent_y z). A brick fills a cache line.
 template <int d>
@@ -67,8 +75,7 @@ struct alignas(64) Brick {
     std::uint64_t& word = words[std::size_t(bit) >> 6];
     word = value ? word | mask : word & ~mask;
   }
-  /// Number of set bits: sums of ever longer groups of them, in all words at once. std::popcount() is a call
-  /// where the processor may lack its instruction.
+  /// Number of set bits: as count_bits(), all words at once.
   int count() const {
     TwoWords bytes{};
     for (TwoWords sums : std::bit_cast<std::array<TwoWords, 4>>(words)) {

@@ -35,13 +35,6 @@ std::uint32_t SpelsByBrick<d>::source_of(const LatticePoint<d>& brick) {
 }
 
 template <int d>
-void SpelsByBrick<d>::insert(const LatticePoint<d>& spel, Memo& memo) {
-  const LatticePoint<d> brick = Brick<d>::of(spel);
-  if (brick != memo.brick) memo = {brick, source_of(brick)};
-  sources_[memo.source].spels.set(Brick<d>::bit(spel), true);
-}
-
-template <int d>
 void SpelsByBrick<d>::merge(const SpelsByBrick& other) {
   for (const Source& source : other.sources_) {
     Brick<d>& own = sources_[source_of(source.brick)].spels;
@@ -57,21 +50,10 @@ void SpelsByBrick<d>::number() {
     int count = 0;
     for (std::size_t w = 0; w < 8; ++w) {
       source.before[w] = std::uint16_t(count);
-      count += std::popcount(source.spels.words[w]);
+      count += count_bits(source.spels.words[w]);
     }
     size_ += std::size_t(count);
   }
-}
-
-template <int d>
-std::size_t SpelsByBrick<d>::position(const LatticePoint<d>& spel, Memo& memo) const {
-  const LatticePoint<d> brick = Brick<d>::of(spel);
-  if (brick != memo.brick) memo = {brick, table_[slot(brick)]};
-  const Source& source = sources_[memo.source];
-  const int bit = Brick<d>::bit(spel);
-  const auto word = std::size_t(bit) >> 6;
-  const std::uint64_t earlier = source.spels.words[word] & ((std::uint64_t{1} << (bit & 63)) - 1);
-  return source.begin + source.before[word] + std::size_t(std::popcount(earlier));
 }
 
 template class SpelsByBrick<2>;

@@ -29,13 +29,25 @@ class SpelsByBrick {
 
   SpelsByBrick() : table_(64, kNone) {}
 
-  void insert(const LatticePoint<d>& spel, Memo& memo);
+  void insert(const LatticePoint<d>& spel, Memo& memo) {
+    const LatticePoint<d> brick = Brick<d>::of(spel);
+    if (brick != memo.brick) memo = {brick, source_of(brick)};
+    sources_[memo.source].spels.set(Brick<d>::bit(spel), true);
+  }
   /// Inserts all that another one holds.
   void merge(const SpelsByBrick& other);
   /// Numbers the spels; to be called between the last insert() and the first position().
   void number();
   /// Position of a spel that was inserted.
-  std::size_t position(const LatticePoint<d>& spel, Memo& memo) const;
+  std::size_t position(const LatticePoint<d>& spel, Memo& memo) const {
+    const LatticePoint<d> brick = Brick<d>::of(spel);
+    if (brick != memo.brick) memo = {brick, table_[slot(brick)]};
+    const Source& source = sources_[memo.source];
+    const int bit = Brick<d>::bit(spel);
+    const auto word = std::size_t(bit) >> 6;
+    const std::uint64_t earlier = source.spels.words[word] & ((std::uint64_t{1} << (bit & 63)) - 1);
+    return source.begin + source.before[word] + std::size_t(count_bits(earlier));
+  }
 
   const std::vector<Source>& sources() const { return sources_; }
   std::size_t size() const { return size_; }
