@@ -11,7 +11,7 @@ namespace gridstep {
 ///   masks  from the sum at a 0-adjacent evaluation point through a displacement mask, O((R/h)^(d-1)) each; where
 ///          there is no such point, the whole kernel (a restart)
 ///   bricks from 512 points at a time, and only where the ball's boundary may cross the set's: O((R/h)^(d-2)) each;
-///          balls only, R/h at most 900 in 3D, 16384 in 2D (see bricks/ball_sums.hpp)
+///          balls only, R/h at most 700 in 3D, 16384 in 2D (see bricks/ball_sums.hpp)
 enum class Evaluation { full, masks, bricks };
 
 /// @throws InputError naming an unknown strategy and listing the known ones.

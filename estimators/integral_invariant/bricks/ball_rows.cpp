@@ -32,11 +32,21 @@ LatticeBox<d> relative_positions(const LatticePoint<d>& offset) {
   return box;
 }
 
+/// Of a row whose first one on a side is `first`: in 3D, sums of 2 x along it shall fit 16 bits.
+template <int d>
+int last_brick(int first) {
+  const auto square = [](int bricks) { return bricks * bricks * Lines<d>::kLength * Lines<d>::kLength; };
+  int last = std::max(first, 1) + BallRows<d>::kMostBricks - 1;
+  if constexpr (d == 3)
+    while (square(last + 1) - square(first - 1) > std::numeric_limits<std::int16_t>::max()) --last;
+  return last;
+}
+
 }  // namespace
 
 template <int d>
 BallRows<d>::BallRows(DigitalLength radius, int half_axis) : skew_(half_axis == 0) {
-  constexpr int kLargest = d == 2 ? 1 << 14 : 900;
+  constexpr int kLargest = d == 2 ? 1 << 14 : 700;
   const std::int64_t limit = squared_diameter(radius);
   if (radius.value > kLargest)
     throw InputError(
@@ -74,21 +84,24 @@ BallRows<d>::BallRows(DigitalLength radius, int half_axis) : skew_(half_axis == 
       most = std::max(most, half_width(z));
     });
     if (2 * most + 1 - skew_ <= 0) return;
-    rows_.push_back({brick, (least + 1 - skew_) / kLength - 1, (most + kLength - 1) / kLength});
+    const int near = (least + 1 - skew_) / kLength, reach = (most + kLength - 1) / kLength;
+    for (int first = near; first <= reach; first = rows_.back().reach + 1)
+      rows_.push_back({brick, first, std::min(reach, last_brick<d>(first)), first == near && near > 0});
   });
 
   widths_.resize(std::size_t(Lines<d>::kCount) * rows_.size());
+  met_.resize(widths_.size());
   for (int line = 0; line < Lines<d>::kCount; ++line)
     for (std::size_t row = 0; row < rows_.size(); ++row)
       for (int other = 0; other < Lines<d>::kCount; ++other) {
-        const LatticePoint<d> z = Brick<d>::origin(rows_[row].brick) + Brick<d>::offset(other * kLength) -
-                                  Brick<d>::offset(line * kLength);
-        const int width = half_width(z) + kLength - rows_[row].base();
-        expects(width >= 0 && width <= (d == 2 ? std::numeric_limits<std::uint16_t>::max()
-                                               : std::numeric_limits<std::uint8_t>::max()),
-                "half-widths that vary little within a row of bricks");
-        widths_[std::size_t(line) * rows_.size() + row].of[std::size_t(other)] =
-            typename Lines<d>::Width(width);
+        const auto& [brick, near, reach, _] = rows_[row];
+        const LatticePoint<d> z =
+            Brick<d>::origin(brick) + Brick<d>::offset(other * kLength) - Brick<d>::offset(line * kLength);
+        const int width =
+            std::clamp(half_width(z) + kLength - rows_[row].base(), 0, (reach + 2 - near) * kLength);
+        const std::size_t at = std::size_t(line) * rows_.size() + row;
+        widths_[at].of[std::size_t(other)] = typename Lines<d>::Width(width);
+        met_[at] |= half_width(z) >= skew_;
       }
 }
 

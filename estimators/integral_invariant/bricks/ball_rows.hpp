@@ -24,45 +24,57 @@ struct Lines {
 
 /// A digital ball, cut into rows of bricks as it lies over the brick that holds its centre (the source brick):
 ///
-///        -reach      -whole     0     whole       reach     brick offset along x
+///        -reach     -near       0       near       reach     brick offset along x
 ///           |- - - - -|===============|- - - - - - -|
 ///            some ball   inside every    some ball
 ///            boundary    ball            boundary
 ///
 /// for whatever cell of the source brick the centre is in: its position in the brick is the `alignment` of the
-/// ball. The boundary itself is a half-width for each line of each row of bricks, for each alignment of the
-/// lines; the alignment along x only shifts it.
+/// ball. Where balls are narrow, a row is cut at both ends from the source brick on. The boundary itself is a
+/// half-width for each line of each row of bricks, for each alignment of the lines; the alignment along x only
+/// shifts it.
 template <int d>
 class BallRows {
  public:
   struct Row {
     LatticePoint<d> brick;  ///< offset from the source brick; 0 along x
-    int whole, reach;       ///< -1 <= whole <= reach; whole = -1: even the middle brick may be cut
-    /// Points along x that the ball is sure to reach on both sides, in whole bricks.
-    int base() const { return (whole + 1) * Lines<d>::kLength; }
+    /// A ball boundary may cross bricks |x| = near to reach: one at each end, where near = 0 both in one brick.
+    int near, reach;
+    bool whole;  ///< whether bricks |x| < near are inside every ball; else another row holds them
+
+    int base() const { return near * Lines<d>::kLength; }
   };
+  /// The most bricks that a row has on a side, so that bytes can count their points: where it would have more, a row of
+  /// the outer ones follows.
+  static constexpr int kMostBricks = 10;
 
   /// The ball of ball_kernel(radius, half_axis).
-  /// @throws InputError where R/h < 1 or not finite, or above 900 in 3D, 16384 in 2D.
+  /// @throws InputError where R/h < 1 or not finite, or above 700 in 3D, 16384 in 2D.
   BallRows(DigitalLength radius, int half_axis);
 
   const std::vector<Row>& rows() const { return rows_; }
   /// Half-widths for a spel's line in its brick, one entry a row: of the line {(x, y, z)} with last point x = W,
-  /// W + kLength - base, so that no entry is negative. W = -1 where the ball misses the line.
+  /// W + kLength - base, but at least 0, and at most what reaches all points of the row. W = -1 where the ball
+  /// misses the line.
   const typename Lines<d>::Widths* widths(int line) const {
     return widths_.data() + std::size_t(line) * rows_.size();
   }
+  /// For a spel's line, a flag for each row: whether the ball has points there.
+  const std::uint8_t* met(int line) const { return met_.data() + std::size_t(line) * rows_.size(); }
   /// 1 where the ball's centre is half a cell up x, so that it ends at x = 1 - W on the left; else 0.
   int skew() const { return skew_; }
   /// Number of points.
   std::int64_t size() const { return size_; }
   /// The ball's points have coordinates of at most this size.
   int radius() const { return radius_; }
-  std::size_t memory() const { return widths_.size() * sizeof(widths_[0]) + rows_.size() * sizeof(Row); }
+  std::size_t memory() const {
+    return widths_.size() * sizeof(widths_[0]) + met_.size() + rows_.size() * sizeof(Row);
+  }
 
  private:
   std::vector<Row> rows_;
   std::vector<typename Lines<d>::Widths> widths_;
+  std::vector<std::uint8_t> met_;
   std::int64_t size_ = 0;
   int skew_, radius_ = 0;
 };

@@ -74,8 +74,8 @@ std::vector<Sum> BallSums<d, Sum>::eval(const DigitalSet<d>& set, const SpelsByB
         Modular<Sum> sum = lists.inside;
         sum.move(origin + Brick<d>::offset(bits[k]));
         add(sum, sums[k]);
-        add(sum, half_rows.right(lists.right.half_rows, bits[k]));
-        add(sum, half_rows.left(lists.left.half_rows, bits[k]));
+        add(sum, half_rows.right(lists.right.full, bits[k]));
+        add(sum, half_rows.left(lists.left.full, bits[k]));
         result[source.begin + k] = to_signed(sum);
       }
       visited += std::int64_t(lists.size() * bits.size());

@@ -3,28 +3,28 @@
 // The evaluation strategy `bricks`: exact sums of a digital set over digital balls of one radius.
 //
 // The set is kept as bricks of 512 points, each empty, full or mixed. The spels to evaluate are grouped by the
-// brick that they lie in, the source brick S. Seen from S, a brick falls into one of three kinds, whatever spel
-// of S the ball is centred at, and so three lists, made once for S, serve all its spels (some 70 of them where
+// brick that they lie in, the source brick S. Seen from S, the rows of bricks along x fall into parts, whatever
+// spel of S the ball is centred at, and so three lists, made once for S, serve all its spels (some 70 of them where
 // the surface is smooth):
 //
-//            . . . . . . . . . .          C  bricks inside every ball: their points are the same for all spels,
-//        . . F F|F F F F F F . .              a difference of prefix sums for each row of bricks
-//      . . F F F|C C C C F F F . .        M  mixed bricks that some ball boundary may cross: for each spel the
-//     . . F F C|C C C C C C F F . .           ball's lines in the brick become a mask: AND, then count
-//     . M M M M|M M C C C C C F F .       F  full bricks that some ball boundary may cross, as runs along x: for
-//     . . . . .|. M M M S M C C F .           each spel a sum of clipped half-widths; where the whole half of a
-//      . . . . .|. . . . M M M M .             row is full, a difference in a table (HalfRowSums)
-//        . . . . . . . . . . M M          .  bricks that are empty, or outside every ball: never visited
-//            . . . . . . . .
+//            E E E E E E . . . .          C  bricks inside every ball: their points are the same for all spels,
+//        E E E E|C C E E E . . .              a difference of prefix sums for each row of bricks
+//      F F F F C|C C C C E E . .          E  parts of rows that a ball boundary may cross: the set's points on
+//     F F F F C C|C C C C E E . .             each line of 8 points across are one run, begin <= x < end (where the
+//     F F F C C C C|C S C C . . .             set is not smooth, several), and for each spel they are clipped by
+//      F F F F C C C|C C C . . .              the ends of the ball: two at the top and bottom, where balls are
+//        E E E E E E E|E . . . .              narrow, one on either side elsewhere
+//            E E E E E E|. . . .          F  parts that are full: a difference in a table (HalfRowSums)
+//                                         .  parts that are empty: never visited
 //
-// (M inside every ball counts for C.) The ball is a table of half-widths, one for each line along x, for each of
-// the alignments of S's lines (BallRows); an alignment along x is an offset. Empty and full bricks are never
-// looked at one by one (BrickRows), so that the work for a spel is what M and F hold: the bricks where ball
-// boundary meets shape boundary, O((R/h)^(d-2)), in units of 512 points. Listing is O((R/h)^(d-1) / 64) (2D:
-// R/h / 8) for each source brick.
+// The ends of the ball are a table of half-widths, one for each line along x, for each of the alignments of S's lines
+// (BallRows); an alignment along x is an offset. Empty and full bricks are never looked at one by one (BrickRows). A
+// vector of 64 bytes holds one number for each of the 64 lines of a row of bricks, so that a part of E costs seven
+// instructions for a count. The work for a spel is what E holds: the rows where ball boundary meets shape boundary,
+// O((R/h)^(d-2)). Listing is O((R/h)^(d-1) / 64) (2D: R/h / 8) for each source brick.
 //
-// Nothing is rounded: sums are 64-bit integers, whatever the order of the additions, hence equal to those of the
-// full kernel for every number of threads.
+// Nothing is rounded: sums are integers, whatever the order of the additions, hence equal to those of the full kernel
+// for every number of threads.
 
 #include <cstdint>
 #include <memory>
@@ -44,7 +44,7 @@ template <int d, class Sum>
 class BallSums {
  public:
   /// Tables of the ball of ball_kernel(radius, half_axis).
-  /// @throws InputError where R/h < 1, is not finite, or above 900 in 3D, 16384 in 2D.
+  /// @throws InputError where R/h < 1, is not finite, or above 700 in 3D, 16384 in 2D.
   BallSums(DigitalLength radius, int half_axis);
   BallSums(BallSums&&) noexcept;
   BallSums& operator=(BallSums&&) noexcept;
@@ -56,7 +56,7 @@ class BallSums {
   std::size_t memory() const;
 
   /// One sum for each spel, in the order of their positions. Runs on all threads of the current arena. In
-  /// `work`, cells_visited are the entries of M and F, summed up over the spels.
+  /// `work`, cells_visited are the runs of bricks in the parts of E, summed up over the spels.
   std::vector<Sum> eval(const DigitalSet<d>& set, const SpelsByBrick<d>& spels,
                         EvaluationWork* work = nullptr) const;
 

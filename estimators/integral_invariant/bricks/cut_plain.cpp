@@ -42,48 +42,31 @@ Brick<3> ends(const Widths<3>& widths, int from) {
   return result;
 }
 
-/// For one spel.
+template <int d>
+void intersect(Brick<d>& brick, const Brick<d>& other) {
+  for (std::size_t i = 0; i < 8; ++i) brick.words[i] &= other.words[i];
+}
+
+/// For one spel, brick by brick.
 template <int d, class Sum>
 Sum cut_sum(const SourceLists<d, Sum>& lists, const AlignedBall<d>& ball) {
-  constexpr int kLength = Lines<d>::kLength;
-  const Widths<d>* const widths = ball.widths();
-  const int to_right = ball.to_right(), to_left = ball.to_left();
-  const auto origin = [&](std::uint32_t row, int offset) {
-    LatticePoint<d> brick = ball.ball->rows()[row].brick;
-    brick[0] = offset;
-    return LatticePoint<d>(Brick<d>::origin(brick) - Brick<d>::offset(ball.bit));
-  };
-  const auto right = [&](const MixedBrick& e) { return ends<true>(widths[e.row], e.from + to_right); };
-  const auto left = [&](const MixedBrick& e) { return ends<false>(widths[e.row], e.from + to_left); };
+  static const Brick<d> kFull = Brick<d>::full();
   Sum sum;
-  const auto add_mixed = [&](const MixedBrick& entry, Brick<d> mask) {
-    for (std::size_t i = 0; i < 8; ++i) mask.words[i] &= entry.words[i];
-    add_brick(sum, mask, origin(entry.row, entry.offset));
-  };
-  for (const MixedBrick& entry : lists.right.mixed) add_mixed(entry, right(entry));
-  for (const MixedBrick& entry : lists.left.mixed) add_mixed(entry, left(entry));
-  for (const MixedBrick& entry : lists.middle) {
-    Brick<d> both = right(entry);
-    const Brick<d> other = left(entry);
-    for (std::size_t i = 0; i < 8; ++i) both.words[i] &= other.words[i];
-    add_mixed(entry, both);
-  }
-
-  const auto lengths = [&](const FullRun& run, int to, auto add_line) {
-    for (int line = 0; line < Lines<d>::kCount; ++line)
-      add_line(Brick<d>::offset(line * kLength),
-               std::clamp(int(widths[run.row].of[std::size_t(line)]) - run.from - to, 0, int(run.length)));
-  };
-  for (const FullRun& run : lists.right.full)
-    lengths(run, to_right, [&, first = origin(run.row, run.offset)](const LatticePoint<d>& line, int length) {
-      add_stretch(sum, LatticePoint<d>(first + line), length);
-    });
-  for (const FullRun& run : lists.left.full)
-    lengths(run, to_left, [&, end = origin(run.row, run.offset + 1)](const LatticePoint<d>& line, int length) {
-      LatticePoint<d> first = end + line;
-      first[0] -= length;
-      add_stretch(sum, first, length);
-    });
+  for (const auto* cut : {&lists.middle, &lists.right.cut, &lists.left.cut})
+    for (const CutRow<d, Sum>& part : *cut) {
+      const auto& row = ball.ball->rows()[part.row];
+      const Widths<d>& widths = ball.widths()[part.row];
+      lists.for_each_run(part, [&](int begin, int end, const Brick<d>* mixed) {
+        LatticePoint<d> at = row.brick;
+        for (at[0] = begin; at[0] < end; ++at[0]) {
+          const int from = std::abs(at[0]) * Lines<d>::kLength - row.base();
+          Brick<d> bits = mixed ? *mixed : kFull;
+          if (at[0] >= 0) intersect(bits, ends<true>(widths, from + ball.to_right()));
+          if (at[0] <= 0) intersect(bits, ends<false>(widths, from + ball.to_left()));
+          add_brick(sum, bits, LatticePoint<d>(Brick<d>::origin(at) - Brick<d>::offset(ball.bit)));
+        }
+      });
+    }
   return sum;
 }
 

@@ -4,25 +4,22 @@ namespace gridstep::bricks {
 
 template <int d, class Sum>
 HalfRowSums<d, Sum>::HalfRowSums(const BallRows<d>& ball)
-    : rows_(ball.rows().size()),
-      skew_(ball.skew()),
-      sums_(std::size_t(Lines<d>::kCount * (kLength + 1)) * (rows_ + 1)) {
+    : skew_(ball.skew()), sums_(kAlignments * (ball.rows().size() + 1)) {
   for (int line = 0; line < Lines<d>::kCount; ++line) {
     const auto* const widths = ball.widths(line);
     for (int lead = -1; lead < kLength; ++lead) {
       Sum sum;
-      auto* out = sums_.data() + (prefix(line, lead) - sums_.data());
-      for (std::size_t row = 0; row < rows_; ++row) {
-        const auto& [brick, whole, reach] = ball.rows()[row];
-        LatticePoint<d> first = Brick<d>::origin(brick) - Brick<d>::offset(line * kLength);
-        first[0] = std::max(whole + 1, 1) * kLength - lead;
-        const int from = first[0] - ball.rows()[row].base() + kLength - 1;
-        for (int other = 0; other < Lines<d>::kCount; ++other) {
-          const int length = int(widths[row].of[std::size_t(other)]) - from;
+      for (std::size_t row = 0; row < ball.rows().size(); ++row) {
+        const auto& ball_row = ball.rows()[row];
+        LatticePoint<d> first = Brick<d>::origin(ball_row.brick) - Brick<d>::offset(line * kLength);
+        first[0] = ball_row.base() - lead;
+        const int from = kLength - 1 - lead, most = (ball_row.reach + 1 - ball_row.near) * kLength;
+        for (int other = 0; ball_row.near > 0 && other < Lines<d>::kCount; ++other) {
+          const int length = std::min(int(widths[row].of[std::size_t(other)]) - from, most);
           if (length > 0)
             add_stretch(sum, LatticePoint<d>(first + Brick<d>::offset(other * kLength)), length);
         }
-        out[row + 1] = sum;
+        sums_[(row + 1) * kAlignments + alignment(line, lead)] = sum;
       }
     }
   }

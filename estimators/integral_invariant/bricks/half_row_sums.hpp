@@ -17,11 +17,11 @@ class HalfRowSums {
  public:
   explicit HalfRowSums(const BallRows<d>& ball);
 
-  Sum right(const std::vector<FullHalfRows>& rows, int bit) const {
+  Sum right(const std::vector<FullSides>& rows, int bit) const {
     return total(rows, bit / kLength, bit % kLength);
   }
   /// The left side is the right one of the mirrored alignment.
-  Sum left(const std::vector<FullHalfRows>& rows, int bit) const {
+  Sum left(const std::vector<FullSides>& rows, int bit) const {
     Sum sum = total(rows, bit / kLength, kLength - 1 - bit % kLength - skew_);
     mirror_x(sum);
     if (skew_) sum.move(-LatticePoint<d>::Unit(0));
@@ -33,22 +33,21 @@ class HalfRowSums {
   static constexpr int kLength = Lines<d>::kLength;
 
   /// lead: the spel's position in its line, -1 <= lead < kLength.
-  const Sum* prefix(int line, int lead) const {
-    return sums_.data() + std::size_t(line * (kLength + 1) + lead + 1) * (rows_ + 1);
-  }
-  Sum total(const std::vector<FullHalfRows>& rows, int line, int lead) const {
-    const Sum* const sums = prefix(line, lead);
+  static std::size_t alignment(int line, int lead) { return std::size_t(line * (kLength + 1) + lead + 1); }
+  Sum total(const std::vector<FullSides>& rows, int line, int lead) const {
+    const Sum* const sums = sums_.data() + alignment(line, lead);
     Sum result;
-    for (const FullHalfRows& range : rows) {
-      add(result, sums[range.end]);
-      subtract(result, sums[range.begin]);
+    for (const FullSides& range : rows) {
+      add(result, sums[range.end * kAlignments]);
+      subtract(result, sums[range.begin * kAlignments]);
     }
     return result;
   }
 
-  std::size_t rows_;
+  static constexpr std::size_t kAlignments = Lines<d>::kCount * (kLength + 1);
+
   int skew_;
-  std::vector<Sum> sums_;
+  std::vector<Sum> sums_;  // of all earlier rows, for all alignments of one row after the other
 };
 
 }  // namespace gridstep::bricks

@@ -1,270 +1,239 @@
-// Ten moments of the points that a ball cuts out of M and F. Included once for each instruction set.
+// Ten moments of the points that balls cut out of rows. Included once for each instruction set.
 
 HWY_BEFORE_NAMESPACE();
 namespace gridstep::bricks::HWY_NAMESPACE {
 namespace {
 
-// A slice of a brick, z fixed, is a word of 8 lines. Its sums are small, so they are kept in signed words of which
-// a product reads the lower half.
+using ShortTag = hn::Repartition<std::int16_t, ByteTag>;
+using Shorts = hn::VFromD<ShortTag>;  // a line each, those with even y or those with odd y
+using IntTag = hn::Repartition<std::int32_t, ByteTag>;
+using Ints = hn::VFromD<IntTag>;  // four lines each, of one z
 using SumTag = hn::Repartition<std::int64_t, ByteTag>;
-using SliceSums = hn::VFromD<SumTag>;
-using HalfTag = hn::Repartition<std::int32_t, ByteTag>;
-using ShortTag = hn::Repartition<std::uint16_t, ByteTag>;
-using Shorts = hn::VFromD<ShortTag>;
+using SliceSums = hn::VFromD<SumTag>;  // eight lines each: a slice, z fixed
 
+/// The sums of products of neighbours, of bytes and of weights below 128.
+HWY_INLINE Shorts pairs(Bytes bytes, Bytes weights) {
+#if HWY_TARGET <= HWY_AVX3
+  return Shorts{_mm512_maddubs_epi16(bytes.raw, weights.raw)};
+#else
+  return Shorts{_mm256_maddubs_epi16(bytes.raw, weights.raw)};
+#endif
+}
+/// sum + the sums of products of neighbours.
+HWY_INLINE Ints add_pairs(Ints sum, Shorts a, Shorts b) {
+  Ints unused = hn::Zero(IntTag());
+  return hn::ReorderWidenMulAccumulate(IntTag(), a, b, sum, unused);
+}
+HWY_INLINE Ints pairs(Shorts a, Shorts b) {
+  return add_pairs(hn::Zero(IntTag()), a, b);
+}
+HWY_INLINE SliceSums slices(Ints v) {
+  const SliceSums w = hn::BitCast(SumTag(), v);
+  return hn::Add(hn::ShiftRight<32>(hn::ShiftLeft<32>(w)), hn::ShiftRight<32>(w));
+}
+/// Of numbers that fit 32 bits.
 HWY_INLINE SliceSums times(SliceSums a, SliceSums b) {
-  return hn::MulEven(hn::BitCast(HalfTag(), a), hn::BitCast(HalfTag(), b));
-}
-HWY_INLINE SliceSums constant(std::int64_t value) {
-  return hn::Set(SumTag(), value);
-}
-HWY_INLINE SliceSums sums_of_bytes(Bytes v) {
-  return hn::BitCast(SumTag(), hn::SumsOf8(v));
-}
-HWY_INLINE SliceSums sums_of_shorts(Shorts v) {
-  const hn::Repartition<std::uint32_t, ByteTag> pairs;
-  const auto w = hn::BitCast(pairs, v);
-  const auto sums =
-      hn::BitCast(WordTag(), hn::Add(hn::And(w, hn::Set(pairs, 0xffffu)), hn::ShiftRight<16>(w)));
-  const auto low = hn::And(sums, hn::Set(WordTag(), std::uint64_t{0xffffffffu}));
-  return hn::BitCast(SumTag(), hn::Add(low, hn::ShiftRight<32>(sums)));
+  return hn::MulEven(hn::BitCast(IntTag(), a), hn::BitCast(IntTag(), b));
 }
 
-/// Sums over the points of a slice in coordinates of the brick, or of the run.
-struct Local {
-  SliceSums n, x, y, xx, xy, yy;
-};
+/// What depends on where a row of bricks lies: y = 8 Y + 0, ..., 7 and z = 8 Z + 0, ..., 7 in its lines.
+struct RowWeights {
+  using Pair = std::array<std::int16_t, 2>;
+  std::array<std::int16_t, 4> even_y, odd_y;
+  Pair Z;
+  Pair y, yy, Zn, ZZn, Zy;  // of the number of points, and of their sum of y - 8 Y
+  std::int32_t doubled_base;
 
-/// Eight numbers, one for each line y of a slice, as factors of its even and odd bytes.
-struct LineWeights {
-  Shorts even, odd;
-
-  explicit LineWeights(std::array<std::uint16_t, 8> weight) {
-    alignas(64) std::array<std::uint16_t, 32> evens{}, odds{};
-    for (std::size_t i = 0; i < 32; ++i) {
-      evens[i] = weight[2 * (i % 4)];
-      odds[i] = weight[2 * (i % 4) + 1];
+  explicit RowWeights(const BallRows<3>::Row& row) : doubled_base(2 * row.base()) {
+    const auto pair = [](int a, int b) { return Pair{std::int16_t(a), std::int16_t(b)}; };
+    const int own_Y = row.brick[1], own_Z = row.brick[2];
+    for (int i = 0; i < 4; ++i) {
+      even_y[std::size_t(i)] = std::int16_t(8 * own_Y + 2 * i);
+      odd_y[std::size_t(i)] = std::int16_t(8 * own_Y + 2 * i + 1);
     }
-    even = hn::Load(ShortTag(), evens.data());
-    odd = hn::Load(ShortTag(), odds.data());
-  }
-  /// Of numbers whose weighted sums fit 16 bits.
-  HWY_INLINE SliceSums of(Shorts even_numbers, Shorts odd_numbers) const {
-    return sums_of_shorts(hn::Add(hn::Mul(even_numbers, even), hn::Mul(odd_numbers, odd)));
-  }
-  /// Of bytes.
-  HWY_INLINE SliceSums of(Bytes numbers) const {
-    const auto v = hn::BitCast(ShortTag(), numbers);
-    return of(hn::And(v, hn::Set(ShortTag(), std::uint16_t{0x00ff})), hn::ShiftRight<8>(v));
-  }
-  /// Of bytes whose products are bytes. The odd ones stay in place: their products are those of the byte, times 256.
-  HWY_INLINE SliceSums of_small(Bytes numbers) const {
-    const auto v = hn::BitCast(ShortTag(), numbers);
-    const auto evens = hn::And(v, hn::Set(ShortTag(), std::uint16_t{0x00ff})),
-               odds = hn::And(v, hn::Set(ShortTag(), std::uint16_t{0xff00}));
-    return sums_of_bytes(hn::BitCast(ByteTag(), hn::Or(hn::Mul(evens, even), hn::Mul(odds, odd))));
+    Z = pair(own_Z, own_Z);
+    y = pair(8 * own_Y, 1);
+    yy = pair(4 * own_Y * own_Y, own_Y);  // y^2 = 16 (4 Y^2 + Y (y - 8 Y)) + (y - 8 Y)^2
+    Zn = pair(own_Z, 0);
+    ZZn = pair(own_Z * own_Z, 0);
+    Zy = pair(8 * own_Y * own_Z, own_Z);
   }
 };
-
-struct Constants {
-  LineWeights line{{0, 1, 2, 3, 4, 5, 6, 7}};
-  LineWeights square{{0, 1, 4, 9, 16, 25, 36, 49}};
-  Bytes nibble, count, low_x, high_x, low_xx, high_xx;
-
-  Constants() {
-    alignas(16) std::array<std::uint8_t, 16> counts{}, xs{}, xs4{}, xxs{}, xxs4{};
-    for (unsigned bits = 0; bits < 16; ++bits)
-      for (unsigned x = 0; x < 4; ++x)
-        if (bits >> x & 1) {
-          counts[bits] = std::uint8_t(counts[bits] + 1);
-          xs[bits] = std::uint8_t(xs[bits] + x);
-          xs4[bits] = std::uint8_t(xs4[bits] + x + 4);
-          xxs[bits] = std::uint8_t(xxs[bits] + x * x);
-          xxs4[bits] = std::uint8_t(xxs4[bits] + (x + 4) * (x + 4));
-        }
-    const ByteTag tag;
-    nibble = hn::Set(tag, std::uint8_t{15});
-    count = hn::LoadDup128(tag, counts.data());
-    low_x = hn::LoadDup128(tag, xs.data());
-    high_x = hn::LoadDup128(tag, xs4.data());
-    low_xx = hn::LoadDup128(tag, xxs.data());
-    high_xx = hn::LoadDup128(tag, xxs4.data());
-  }
-};
-
-/// Sums over each line of a brick.
-struct LineSums {
-  Bytes n, x, xx;
-};
-
-HWY_INLINE LineSums line_sums(const Constants& k, Bytes bits) {
-  const auto low = hn::And(bits, k.nibble);
-  const auto high =
-      hn::And(hn::BitCast(ByteTag(), hn::ShiftRight<4>(hn::BitCast(ShortTag(), bits))), k.nibble);
-  const auto lookup = [&](Bytes of_low, Bytes of_high) HWY_ATTR {
-    return hn::Add(hn::TableLookupBytes(of_low, low), hn::TableLookupBytes(of_high, high));
-  };
-  return {lookup(k.count, k.count), lookup(k.low_x, k.high_x), lookup(k.low_xx, k.high_xx)};
+HWY_INLINE Shorts all(const std::array<std::int16_t, 4>& four) {
+  return hn::BitCast(ShortTag(), hn::Set(SumTag(), std::bit_cast<std::int64_t>(four)));
+}
+HWY_INLINE Shorts all(const std::array<std::int16_t, 2>& two) {
+  return hn::BitCast(ShortTag(), hn::Set(IntTag(), std::bit_cast<std::int32_t>(two)));
+}
+HWY_INLINE Shorts all(int value) {
+  return hn::Set(ShortTag(), std::int16_t(value));
+}
+HWY_INLINE Bytes all_bytes(int even, int odd) {
+  return hn::BitCast(ByteTag(), all(even | odd << 8));
 }
 
-/// Lines that begin at x = 0 and go up, or down, `lengths` points.
-HWY_INLINE Local sums_of_lengths(const Constants& k, Bytes lengths, bool down) {
-  const ShortTag shorts;
-  const auto s = hn::BitCast(shorts, lengths);
-  const auto even = hn::And(s, hn::Set(shorts, std::uint16_t{0x00ff})), odd = hn::ShiftRight<8>(s);
-  // j = s (s - 1) / 2 = 0 + ... + (s - 1) is at most 32385, and two of them fit 16 bits.
-  const auto sum_to = [&](Shorts v) HWY_ATTR { return hn::ShiftRight<1>(hn::Sub(hn::Mul(v, v), v)); };
-  const auto j_even = sum_to(even), j_odd = sum_to(odd);
-  const hn::Repartition<std::uint32_t, ByteTag> pairs;
-  const auto lower = hn::Set(pairs, 0xffffu);
-  const auto j = hn::BitCast(pairs, hn::Add(j_even, j_odd));
-  const auto j_0145 = hn::And(j, lower),
-             j_2367 = hn::ShiftRight<16>(j);  // of lines 0, 1 and 4, 5; of the others
-  const auto halves_sum = [&](auto v) HWY_ATTR {
-    const auto w = hn::BitCast(WordTag(), v);
-    return hn::BitCast(
-        SumTag(), hn::Add(hn::And(w, hn::Set(WordTag(), std::uint64_t{0xffffffffu})), hn::ShiftRight<32>(w)));
-  };
-  const auto j_all = hn::Add(j_0145, j_2367);
-  SliceSums x = halves_sum(j_all);
-  // The number of a line in binary: sum of y j over its lines = sum over bits of 2^bit times the lines with the bit.
-  const auto upper = hn::BitCast(SumTag(), hn::ShiftRight<32>(hn::BitCast(WordTag(), j_all)));
-  SliceSums xy =
-      hn::Add(hn::ShiftLeft<2>(upper), hn::Add(hn::ShiftLeft<1>(halves_sum(j_2367)), sums_of_shorts(j_odd)));
-  // 0 + 1 + 4 + ... + (s - 1)^2 = j (2 s - 1) / 3; all sums below 2^32, so that the third may be a product.
-  const auto thrice = [&](Shorts jj, Shorts v) HWY_ATTR {
-    const auto a = hn::BitCast(pairs, jj);
-    const auto b = hn::BitCast(pairs, hn::Sub(hn::Add(v, v), hn::Set(shorts, std::uint16_t{1})));
-    return hn::Add(hn::Mul(hn::And(a, lower), hn::And(b, lower)),
-                   hn::Mul(hn::ShiftRight<16>(a), hn::ShiftRight<16>(b)));
-  };
-  const auto squares = hn::BitCast(pairs, halves_sum(hn::Add(thrice(j_even, even), thrice(j_odd, odd))));
-  const SliceSums xx =
-      hn::BitCast(SumTag(), hn::And(hn::BitCast(WordTag(), hn::Mul(squares, hn::Set(pairs, 0xaaaaaaabu))),
-                                    hn::Set(WordTag(), std::uint64_t{0xffffffffu})));
-  if (down) {
-    x = hn::Neg(x);
-    xy = hn::Neg(xy);
-  }
-  return {sums_of_bytes(lengths), x, k.line.of(even, odd), xx, xy, k.square.of(even, odd)};
-}
-
-/// Sums in coordinates of the source brick, entry by entry, slab by slab; a slab is the rows of one oz.
+/// The moments of one run in each line of one row after the other: of n points around c / 2 that are
+///   sum x = n c / 2,  sum x^2 = (3 n c^2 + n^3 - n) / 12.
+/// x is taken from the spel, y and z from the source brick.
 class Accumulator {
  public:
-  explicit Accumulator(const Constants& k) : k_(k) {
-    lines_n_ = lines_x_ = hn::Zero(ByteTag());
-    n_ = x_ = y_ = xx_ = xy_ = yy_ = total_n_ = total_x_ = total_y_ = z_ = xz_ = yz_ = zz_ = constant(0);
+  /// The slices' z go from z0.
+  Accumulator(int radius, int z0) : z0_(z0), most_rows_(std::min<std::size_t>(90, std::size_t(8192 / (radius + 16)))) {
+    for (SliceSums& total : totals_) total = hn::Zero(SumTag());
+    begin();
   }
 
-  /// Adds the bits of a brick that begins at (x0, y0) in the slab.
-  HWY_INLINE void add(Bytes bits, int x0, int y0) {
-    const LineSums lines = line_sums(k_, bits);
-    // A brick's own xy and yy do not depend on where it lies: end_lines() takes them from nine bricks at once.
-    add({sums_of_bytes(lines.n), sums_of_bytes(lines.x), k_.line.of_small(lines.n), sums_of_bytes(lines.xx),
-         constant(0), constant(0)},
-        x0, y0);
-    lines_n_ = hn::Add(lines_n_, lines.n);
-    lines_x_ = hn::Add(lines_x_, lines.x);
-    if (++bricks_in_lines_ == 255 / 28) end_lines();
+  /// Rows k to end are to be added: where to call make_room() between them, or `end`.
+  HWY_INLINE std::size_t stop(std::size_t k, std::size_t end) {
+    const std::size_t result = std::min(end, k + most_rows_ - rows_);
+    rows_ += result - k;
+    return result;
   }
-  /// Adds sums whose origin is at (x0, y0) in the slab.
-  HWY_INLINE void add(const Local& own, int x0, int y0) {
-    const SliceSums X = constant(x0), Y = constant(y0);
-    const SliceSums x = hn::Add(own.x, times(X, own.n)), y = hn::Add(own.y, times(Y, own.n));
-    n_ = hn::Add(n_, own.n);
-    x_ = hn::Add(x_, x);
-    y_ = hn::Add(y_, y);
-    xx_ = hn::Add(xx_, hn::Add(own.xx, times(X, hn::Add(own.x, x))));
-    xy_ = hn::Add(xy_, hn::Add(own.xy, hn::Add(times(X, own.y), times(Y, x))));
-    yy_ = hn::Add(yy_, hn::Add(own.yy, times(Y, hn::Add(own.y, y))));
+  HWY_INLINE void make_room() {
+    if (rows_ == most_rows_) spill();
   }
-  /// Ends a slab: z is that of the first lane. The sums of a slab stay below 2^31 up to R/h = 900.
-  HWY_INLINE void end_slab(int z0) {
-    const SliceSums z = hn::Iota(SumTag(), z0), zz = times(z, z);
-    total_n_ = hn::Add(total_n_, n_);
-    total_x_ = hn::Add(total_x_, x_);
-    total_y_ = hn::Add(total_y_, y_);
-    z_ = hn::Add(z_, times(n_, z));
-    xz_ = hn::Add(xz_, times(x_, z));
-    yz_ = hn::Add(yz_, times(y_, z));
-    zz_ = hn::Add(zz_, times(n_, zz));
-    n_ = x_ = y_ = constant(0);
+  /// c = 2 from + n - shift, or with the other sign.
+  template <bool mirrored>
+  HWY_INLINE void add(Bytes n, Bytes from, int shift, const RowWeights& row) {
+    const Shorts one = all(1);
+    const Shorts even_n = hn::And(hn::BitCast(ShortTag(), n), all(0xff)), odd_n = pairs(n, all_bytes(0, 1));
+    const Shorts even_sum = hn::Add(pairs(from, all_bytes(2, 0)), even_n),
+                 odd_sum = hn::Add(pairs(from, all_bytes(0, 2)), odd_n);
+    const Shorts even_c = mirrored ? hn::Sub(all(shift), even_sum) : hn::Sub(even_sum, all(shift)),
+                 odd_c = mirrored ? hn::Sub(all(shift), odd_sum) : hn::Sub(odd_sum, all(shift));
+    const Shorts even_nc = hn::Mul(even_n, even_c), odd_nc = hn::Mul(odd_n, odd_c);
+    const auto of_both = [&](Ints sum, Shorts even, Shorts odd)
+                             HWY_ATTR { return add_pairs(add_pairs(sum, even_nc, even), odd_nc, odd); };
+    nc_ = of_both(nc_, one, one);
+    ync_ = of_both(ync_, all(row.even_y), all(row.odd_y));
+    Znc_ = of_both(Znc_, all(row.Z), all(row.Z));
+    ncc_ = of_both(ncc_, even_c, odd_c);
+    nnn_ = add_pairs(add_pairs(nnn_, hn::Mul(even_n, even_n), even_n), hn::Mul(odd_n, odd_n), odd_n);
+
+    const ByteTag tag;
+    alignas(16) static constexpr std::uint8_t kY[16] = {0, 1, 2, 3, 4, 5, 6, 7, 0, 1, 2, 3, 4, 5, 6, 7};
+    alignas(16) static constexpr std::uint8_t kSquare[16] = {0, 1, 4, 9, 16, 25, 36, 49, 0, 1, 4, 9, 16, 25, 36, 49};
+    const Ints own_n = pairs(pairs(n, all_bytes(1, 1)), one), own_y = pairs(pairs(n, hn::LoadDup128(tag, kY)), one);
+    n_ = hn::Add(n_, own_n);
+    own_yy_ = add_pairs(own_yy_, pairs(n, hn::LoadDup128(tag, kSquare)), one);
+    const Shorts both = hn::BitCast(ShortTag(), hn::Or(own_n, hn::ShiftLeft<16>(own_y)));
+    y_ = add_pairs(y_, both, all(row.y));
+    yy_ = add_pairs(yy_, both, all(row.yy));
+    Zn_ = add_pairs(Zn_, both, all(row.Zn));
+    ZZn_ = add_pairs(ZZn_, both, all(row.ZZn));
+    Zy_ = add_pairs(Zy_, both, all(row.Zy));
   }
   HWY_INLINE Moments sums() {
-    end_lines();
-    const auto all = [](SliceSums v)
-                         HWY_ATTR { return std::uint64_t(hn::GetLane(hn::SumOfLanes(SumTag(), v))); };
-    return {all(total_n_),
-            {all(total_x_), all(total_y_), all(z_)},
-            {all(xx_), all(xy_), all(xz_), all(yy_), all(yz_), all(zz_)}};
+    spill();
+    std::array<std::int64_t, kTotals> total;
+    for (std::size_t i = 0; i < kTotals; ++i) total[i] = hn::GetLane(hn::SumOfLanes(SumTag(), totals_[i]));
+    const auto number = [](std::int64_t v) { return std::uint64_t(v); };
+    return {number(total[kN]),
+            {number(total[kX] / 2), number(total[kY]), number(total[kZ])},
+            {number((total[kXX] - total[kN]) / 12), number(total[kXY] / 2), number(total[kXZ] / 2),
+             number(total[kYY]), number(total[kYZ]), number(total[kZZ])}};
   }
 
  private:
-  HWY_INLINE void end_lines() {
-    xy_ = hn::Add(xy_, k_.line.of(lines_x_));
-    yy_ = hn::Add(yy_, k_.square.of(lines_n_));
-    lines_n_ = lines_x_ = hn::Zero(ByteTag());
-    bricks_in_lines_ = 0;
+  enum { kN, kX, kY, kZ, kXX, kXY, kXZ, kYY, kYZ, kZZ, kTotals };
+
+  HWY_INLINE void begin() {
+    n_ = y_ = yy_ = own_yy_ = Zn_ = ZZn_ = Zy_ = nc_ = ync_ = Znc_ = ncc_ = nnn_ = hn::Zero(IntTag());
+    rows_ = 0;
+  }
+  HWY_INLINE void add_to(std::size_t total, SliceSums v) { totals_[total] = hn::Add(totals_[total], v); }
+  /// Before a sum may leave 32 bits.
+  HWY_INLINE void spill() {
+    const SliceSums z = hn::Iota(SumTag(), z0_);
+    const SliceSums n = slices(n_), y = slices(y_), nc = slices(nc_), Zn = hn::ShiftLeft<3>(slices(Zn_)),
+                    zn = times(n, z), ncc = slices(ncc_);
+    add_to(kN, n);
+    add_to(kX, nc);
+    add_to(kY, y);
+    add_to(kZ, hn::Add(Zn, zn));
+    add_to(kXX, hn::Add(hn::Add(ncc, hn::Add(ncc, ncc)), slices(nnn_)));
+    add_to(kXY, slices(ync_));
+    add_to(kXZ, hn::Add(hn::ShiftLeft<3>(slices(Znc_)), times(nc, z)));
+    add_to(kYY, hn::Add(hn::ShiftLeft<4>(slices(yy_)), slices(own_yy_)));
+    add_to(kYZ, hn::Add(hn::ShiftLeft<3>(slices(Zy_)), times(y, z)));
+    add_to(kZZ, hn::Add(hn::ShiftLeft<6>(slices(ZZn_)), times(hn::Add(hn::Add(Zn, Zn), zn), z)));
+    begin();
   }
 
-  const Constants& k_;
-  Bytes lines_n_, lines_x_;  // bricks one upon the other: at most 8 and 28 for each
-  int bricks_in_lines_ = 0;
-  SliceSums n_, x_, y_, xx_, xy_, yy_;  // of the slab; the last three of all slabs
-  SliceSums total_n_, total_x_, total_y_, z_, xz_, yz_, zz_;
+  int z0_;
+  std::size_t most_rows_, rows_;
+  Ints n_, y_, yy_, own_yy_, Zn_, ZZn_, Zy_, nc_, ync_, Znc_, ncc_, nnn_;
+  SliceSums totals_[kTotals];
 };
 
-/// The sums over the slices of one vector, `at` bytes into every brick.
-HWY_INLINE Moments sums_of_slices(const SourceLists<3, Moments>& lists, const AlignedBall<3>& ball,
-                                  const Constants& k, std::size_t at) {
-  const auto bit = std::uint16_t(ball.bit);
-  const LineBalls<1> balls(*ball.ball, &bit, at);
-  const auto& rows = ball.ball->rows();
-  Accumulator sums(k);
-
-  const auto add_mixed = [&](auto& cuts, const std::vector<MixedBrick>& entries, std::uint32_t end) HWY_ATTR {
-    while (cuts.entry != entries.data() + entries.size() && cuts.entry->row < end) {
-      const MixedBrick& entry = *cuts.entry;
-      const Cut<1> cut = cuts.next();
-      sums.add(hn::And(cut.bits, cut.masks.of[0]), 8 * entry.offset, 8 * rows[entry.row].brick[1]);
-    }
-  };
-  const auto add_full = [&](const std::vector<FullRun>& runs, std::size_t& next, std::uint32_t end,
-                            bool down) HWY_ATTR {
-    for (; next < runs.size() && runs[next].row < end; ++next) {
-      const FullRun& run = runs[next];
-      const Bytes beyond = balls.beyond(run.row, run.from + (down ? balls.skew : 0));
-      const Bytes lengths = balls.lengths(beyond, down ? balls.to_left[0] : balls.to_right[0], run);
-      sums.add(sums_of_lengths(k, lengths, down), 8 * run.offset + (down ? 7 : 0),
-               8 * rows[run.row].brick[1]);
-    }
-  };
-  Cuts<1, true, false> right{balls, lists.right.mixed.data()};
-  Cuts<1, false, true> left{balls, lists.left.mixed.data()};
-  Cuts<1, true, true> middle{balls, lists.middle.data()};
-  std::array<std::size_t, 2> next{};
-  for (std::uint32_t begin = 0, end = 0; begin < rows.size(); begin = end) {
-    const int slab = rows[begin].brick[2];
-    while (end < rows.size() && rows[end].brick[2] == slab) ++end;
-    add_mixed(right, lists.right.mixed, end);
-    add_mixed(left, lists.left.mixed, end);
-    add_mixed(middle, lists.middle, end);
-    add_full(lists.right.full, next[0], end, false);
-    add_full(lists.left.full, next[1], end, true);
-    sums.end_slab(8 * slab + int(at / 8));
+/// The numbers of the runs that balls around a line of the source brick may meet: many rows just touch some balls, and a
+/// row of moments costs more than this list.
+void list_met(const RowRuns<3>& runs, const std::uint8_t* met, std::vector<std::uint32_t>& result) {
+  result.resize(runs.size());
+  std::size_t size = 0;
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    result[size] = std::uint32_t(k);
+    size += met[runs.row(k)];
   }
+  result.resize(size);
+}
+
+/// On one side, where c = 2 from + n - shift + 2 base, mirrored on the left.
+template <bool mirrored>
+HWY_INLINE void add_side(Accumulator& sums, const RowRuns<3>& side, std::span<const RowWeights> weights,
+                         const LineBalls<3, 1>& balls, Bytes to, int shift) {
+  const ByteTag tag;
+  for (std::size_t k = 0; k < side.size(); sums.make_room())
+    for (const std::size_t stop = sums.stop(k, side.size()); k < stop; ++k) {
+      const std::uint32_t row = side.row(k);
+      const Bytes from = hn::Load(tag, side[k].begin.data());
+      const Bytes length = hn::Min(hn::SaturatedSub(hn::SaturatedSub(balls.width(row), from), to),
+                                   hn::Load(tag, side[k].end_or_length.data()));
+      sums.add<mirrored>(length, from, shift - weights[row].doubled_base, weights[row]);
+    }
+}
+
+HWY_INLINE Moments moments_of_spel(const CutRuns<3>& runs, std::span<const std::uint32_t> middle,
+                                   std::span<const RowWeights> weights, const BallRows<3>& ball, std::uint16_t bit,
+                                   std::size_t at) {
+  const ByteTag tag;
+  const LineBalls<3, 1> balls(ball, &bit, at);
+  const int x = bit % 8;
+  Accumulator sums(ball.radius(), int(at / 8));
+  for (std::size_t i = 0; i < middle.size(); sums.make_room())
+    for (const std::size_t stop = sums.stop(i, middle.size()); i < stop; ++i) {
+      const LineRuns<3>& own = runs.middle[middle[i]];
+      const std::uint32_t row = runs.middle.row(middle[i]);
+      const Bytes width = balls.width(row);
+      const Bytes from = hn::Max(hn::Load(tag, own.begin.data()), hn::Sub(balls.left_end[0], width)),
+                  to = hn::Min(hn::Load(tag, own.end_or_length.data()), hn::Add(width, balls.right_end[0]));
+      sums.add<false>(hn::SaturatedSub(to, from), from, 1 + 2 * (RowRuns<3>::kMiddleOrigin + x), weights[row]);
+    }
+  add_side<false>(sums, runs.right, weights, balls, balls.to_right[0], 1 + 2 * x);
+  add_side<true>(sums, runs.left, weights, balls, balls.to_left[0], 15 - 2 * x);
   return sums.sums();
 }
 
 void moments_3d(const SourceLists<3, Moments>& lists, const BallRows<3>& ball,
                 std::span<const std::uint16_t> bits, Moments* sums) {
-  const Constants k;
+  thread_local CutRuns<3> runs;
+  thread_local std::vector<RowWeights> weights;
+  thread_local std::vector<std::uint32_t> middle;
+  weights.clear();
+  for (const auto& row : ball.rows()) weights.emplace_back(row);
+  std::fill(sums, sums + bits.size(), Moments{});
+  for (std::size_t at = 0; at < 64; at += hn::Lanes(ByteTag())) {
+    runs.list(lists, ball, at);
+    for (std::size_t i = 0; i < bits.size(); ++i) {
+      const int line = bits[i] / 8;
+      if (i == 0 || bits[i - 1] / 8 != line) list_met(runs.middle, ball.met(line), middle);
+      add(sums[i], moments_of_spel(runs, middle, weights, ball, bits[i], at));
+    }
+  }
   for (std::size_t i = 0; i < bits.size(); ++i) {
-    sums[i] = {};
-    for (std::size_t at = 0; at < 64; at += hn::Lanes(ByteTag()))
-      add(sums[i], sums_of_slices(lists, {&ball, bits[i]}, k, at));
-    sums[i].move(Brick<3>::offset(bits[i]));
+    LatticePoint<3> step = Brick<3>::offset(bits[i]);
+    step[0] = 0;
+    sums[i].move(step);
   }
 }
 

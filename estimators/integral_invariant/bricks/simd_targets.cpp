@@ -16,6 +16,8 @@
 #if HWY_TARGET & GRIDSTEP_SIMD_TARGETS
 #include "estimators/integral_invariant/bricks/simd_vectors.ipp"
 //
+#include "estimators/integral_invariant/bricks/simd_line_runs.ipp"
+//
 #include "estimators/integral_invariant/bricks/simd_counts.ipp"
 #include "estimators/integral_invariant/bricks/simd_moments.ipp"
 #endif

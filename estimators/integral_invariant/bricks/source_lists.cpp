@@ -4,66 +4,72 @@ namespace gridstep::bricks {
 
 namespace {
 
-void extend(std::vector<FullHalfRows>& half_rows, std::uint32_t row) {
-  if (!half_rows.empty() && half_rows.back().end == row)
-    ++half_rows.back().end;
+void extend(std::vector<FullSides>& full, std::uint32_t row) {
+  if (!full.empty() && full.back().end == row)
+    ++full.back().end;
   else
-    half_rows.push_back({row, row + 1});
+    full.push_back({row, row + 1});
 }
 
-/// Lists what lies in bricks lo to hi along x, all on one side of brick `source`.
+/// Lists what lies in bricks lo to hi, counted from the source brick x; `first` is the first run that ends behind lo.
+template <int d, class Sum, class Run>
+void list_part(std::vector<CutRow<d, Sum>>& cut, std::uint32_t row, int lo, int hi, const Run* first, int x) {
+  const Run* last = first;
+  while (last->begin <= x + hi) ++last;
+  if (last != first) cut.push_back({row, lo, hi, first, last});
+}
+
 template <class Side, class Run>
-void list_half_row(Side& side, const Run* run, int lo, int hi, int source, std::uint32_t row, int base,
-                   int line_length) {
-  if (lo > hi || (!run->mixed && run->begin <= lo && run->end > hi)) {
-    extend(side.half_rows, row);
-    return;
-  }
-  const auto from = [&](int offset) { return std::uint16_t(std::abs(offset) * line_length - base); };
-  for (; run->begin <= hi; ++run) {
-    if (run->mixed) {
-      const int offset = run->begin - source;
-      side.mixed.push_back({run->mixed->words.data(), row, from(offset), std::int16_t(offset)});
-      continue;
-    }
-    const int begin = std::max(run->begin, lo), end = std::min(run->end, hi + 1);
-    const int offset = lo > source ? begin - source : end - 1 - source;
-    side.full.push_back(
-        {row, from(offset), std::uint16_t((end - begin) * line_length), std::int16_t(offset)});
-  }
+void list_side(Side& side, std::uint32_t row, int lo, int hi, const Run* first, int x) {
+  if (lo > hi || (!first->mixed && first->begin <= x + lo && first->end > x + hi))
+    extend(side.full, row);
+  else
+    list_part(side.cut, row, lo, hi, first, x);
 }
 
 }  // namespace
 
 template <int d, class Sum>
+std::size_t SourceLists<d, Sum>::size() const {
+  std::size_t result = 0;
+  for (const auto* cut : {&middle, &right.cut, &left.cut})
+    for (const CutRow<d, Sum>& part : *cut) result += std::size_t(part.last - part.first);
+  return result;
+}
+
+template <int d, class Sum>
 void SourceLists<d, Sum>::build(const BallRows<d>& ball, const BrickRows<d, Sum>& set,
                                 const LatticePoint<d>& source) {
-  static const Brick<d> kFullBrick = Brick<d>::full();
-  constexpr int kLength = Lines<d>::kLength;
+  x = source[0];
   inside = {};
   middle.clear();
   for (Side* side : {&right, &left}) {
-    side->mixed.clear();
+    side->cut.clear();
     side->full.clear();
-    side->half_rows.clear();
   }
-  const int x = source[0];
   for (std::uint32_t index = 0; index < ball.rows().size(); ++index) {
     const auto& ball_row = ball.rows()[index];
     const LatticePoint<d> brick = source + ball_row.brick;
     const auto row = set.row(brick);
     if (row.empty()) continue;
-    if (ball_row.whole >= 0) {
-      const int begin = x - ball_row.whole, end = x + ball_row.whole + 1;
-      add(inside, set.before(set.find(row, end), brick, end));
-      subtract(inside, set.before(set.find(row, begin), brick, begin));
-    } else if (const auto* run = set.find(row, x); run->begin <= x) {
-      const Brick<d>& bits = run->mixed ? *run->mixed : kFullBrick;
-      middle.push_back({bits.words.data(), index, 0, 0});
+    const int near = ball_row.near, far = ball_row.reach;
+    const auto* run = set.find(row, x - far);
+    if (run->begin > x + far) continue;
+    const auto behind = [&](int end) {
+      while (run->end <= end) ++run;
+      return run;
+    };
+    if (near == 0) {
+      list_part(middle, index, -far, far, run, x);
+      continue;
     }
-    const int near = std::max(ball_row.whole + 1, 1), far = ball_row.reach;
-    list_half_row(right, set.find(row, x + near), x + near, x + far, x, index, ball_row.base(), kLength);
-    list_half_row(left, set.find(row, x - far), x - far, x - near, x, index, ball_row.base(), kLength);
+    list_side(left, index, -far, -near, run, x);
+    if (ball_row.whole) {
+      const int begin = x - near + 1, end = x + near;
+      subtract(inside, set.before(behind(begin), brick, begin));
+      add(inside, set.before(behind(end), brick, end));
+    }
+    list_side(right, index, near, far, behind(x + near), x);
   }
 }
 

@@ -8,25 +8,17 @@
 
 namespace gridstep::bricks {
 
-/// A mixed brick that a ball boundary may cross: an entry of M.
-struct MixedBrick {
-  const std::uint64_t* words;
-  std::uint32_t row;    ///< of BallRows
-  std::uint16_t from;   ///< points between the base of the ball's row and the brick's near end
-  std::int16_t offset;  ///< bricks along x from the source brick
-};
-
-/// A run of full bricks that a ball boundary may cross, in a half-row that is not all full: an entry of F.
-struct FullRun {
+/// What a ball boundary may cross of a row of bricks, and where there are points of the set.
+template <int d, class Sum>
+struct CutRow {
   std::uint32_t row;     ///< of BallRows
-  std::uint16_t from;    ///< points between the base of the ball's row and the run's near end
-  std::uint16_t length;  ///< points
-  std::int16_t offset;   ///< of the brick nearest to the source brick
+  std::int32_t lo, hi;   ///< bricks along x from the source brick
+  /// Runs of bricks, from left to right, `last` excluded; the outer ones may go on beyond lo and hi.
+  const typename BrickRows<d, Sum>::Run *first, *last;
 };
 
-/// Successive rows of BallRows, `end` excluded, whose half on one side is full wherever a ball boundary may cross
-/// it: entries of F that are summed up in HalfRowSums.
-struct FullHalfRows {
+/// Successive rows of BallRows, `end` excluded, one side of which is full: they are summed up in HalfRowSums.
+struct FullSides {
   std::uint32_t begin, end;
 };
 
@@ -34,21 +26,30 @@ struct FullHalfRows {
 template <int d, class Sum>
 struct SourceLists {
   struct Side {
-    std::vector<MixedBrick> mixed;
-    std::vector<FullRun> full;
-    std::vector<FullHalfRows> half_rows;
+    std::vector<CutRow<d, Sum>> cut;  ///< E
+    std::vector<FullSides> full;      ///< F
   };
-  Sum inside;                      ///< C: the points in bricks inside every ball
-  std::vector<MixedBrick> middle;  ///< bricks at offset 0, which a ball may cut at both ends; M, or full
-  Side right, left;                ///< M and F
+  int x;                               ///< of the source brick
+  Sum inside;                          ///< C: the points in bricks inside every ball
+  std::vector<CutRow<d, Sum>> middle;  ///< E: parts that a ball may cut at both ends
+  Side right, left;
 
-  /// Entries that each spel visits.
-  std::size_t size() const {
-    return middle.size() + right.mixed.size() + right.full.size() + left.mixed.size() + left.full.size();
+  /// Runs of bricks that each spel visits.
+  std::size_t size() const;
+  /// Calls f(begin, end, mixed) for each run: its bricks along x from the source brick, `end` excluded, and the run's
+  /// mixed brick or null.
+  template <class F>
+  void for_each_run(const CutRow<d, Sum>& part, F&& f) const {
+    for (const auto* run = part.first; run != part.last; ++run)
+      f(std::max(run->begin - x, part.lo), std::min(run->end - x, part.hi + 1), run->mixed);
   }
 
   /// Cost: the rows of the ball, and the runs of the set that a ball boundary may cross.
   void build(const BallRows<d>& ball, const BrickRows<d, Sum>& set, const LatticePoint<d>& source);
 };
+
+extern template struct SourceLists<2, Counts<2>>;
+extern template struct SourceLists<3, Counts<3>>;
+extern template struct SourceLists<3, Moments>;
 
 }  // namespace gridstep::bricks

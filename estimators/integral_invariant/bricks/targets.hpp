@@ -9,8 +9,8 @@
 
 namespace gridstep::bricks {
 
-/// The inner loops, compiled for one kind of processor: the part of the balls around the spels `bits` of a source
-/// brick, in increasing order, that lies in the bricks of M and the runs of F; positions taken from the spel.
+/// The inner loops, compiled for one kind of processor: the sums over E for the balls around the spels `bits` of a
+/// source brick, in increasing order; positions taken from the spel.
 template <int d, class Sum>
 using CutSums = void (*)(const SourceLists<d, Sum>& lists, const BallRows<d>& ball,
                          std::span<const std::uint16_t> bits, Sum* sums);

@@ -104,6 +104,19 @@ RandomSet<d> random_set(RandomStream& random, int largest_side, std::size_t most
   return {std::move(set), std::move(spels), kinds[kind]};
 }
 
+/// By the target in use.
+template <class Sum, int d>
+std::vector<Sum> brick_sums(const BallSums<d, Sum>& balls, const RandomSet<d>& one) {
+  SpelsByBrick<d> spels;
+  typename SpelsByBrick<d>::Memo memo;
+  for (const LatticePoint<d>& z : one.spels) spels.insert(z, memo);
+  spels.number();
+  const std::vector<Sum> sums = balls.eval(one.set, spels);
+  std::vector<Sum> result;
+  for (const LatticePoint<d>& z : one.spels) result.push_back(sums[spels.position(z, memo)]);
+  return result;
+}
+
 /// The sums over one ball at the spels of a set, in every way.
 template <class Sum, int d>
 class Evaluations {
@@ -117,17 +130,7 @@ class Evaluations {
   std::vector<Sum> masks(const RandomSet<d>& one) const {
     return convolve<Sum>(Indicator<d>(one.set), kernel_, &masks_, one.spels);
   }
-  /// By the target in use.
-  std::vector<Sum> bricks(const RandomSet<d>& one) const {
-    SpelsByBrick<d> spels;
-    typename SpelsByBrick<d>::Memo memo;
-    for (const LatticePoint<d>& z : one.spels) spels.insert(z, memo);
-    spels.number();
-    const std::vector<Sum> sums = balls_.eval(one.set, spels);
-    std::vector<Sum> result;
-    for (const LatticePoint<d>& z : one.spels) result.push_back(sums[spels.position(z, memo)]);
-    return result;
-  }
+  std::vector<Sum> bricks(const RandomSet<d>& one) const { return brick_sums(balls_, one); }
 
  private:
   Kernel<d, std::int64_t> kernel_;
