@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -38,7 +39,7 @@ int last_brick(int first) {
   const auto square = [](int bricks) { return bricks * bricks * Lines<d>::kLength * Lines<d>::kLength; };
   int last = std::max(first, 1) + BallRows<d>::kMostBricks - 1;
   if constexpr (d == 3)
-    while (square(last + 1) - square(first - 1) > std::numeric_limits<std::int16_t>::max()) --last;
+    while (square(last + 1) - square(first) > std::numeric_limits<std::int16_t>::max()) --last;
   return last;
 }
 
@@ -46,7 +47,7 @@ int last_brick(int first) {
 
 template <int d>
 BallRows<d>::BallRows(DigitalLength radius, int half_axis) : skew_(half_axis == 0) {
-  constexpr int kLargest = d == 2 ? 1 << 14 : 700;
+  constexpr int kLargest = d == 2 ? 1 << 14 : 700;  // in 3D, of moments: (R/8)^2 in quarters fits 16 bits
   const std::int64_t limit = squared_diameter(radius);
   if (radius.value > kLargest)
     throw InputError(

@@ -44,8 +44,8 @@ class BallRows {
 
     int base() const { return near * Lines<d>::kLength; }
   };
-  /// The most bricks that a row has on a side, so that bytes can count their points: where it would have more, a row of
-  /// the outer ones follows.
+  /// The most bricks that a row has on a side: where it would have more, a row of the outer ones follows. In 3D, bytes
+  /// can count the points of so many, and even those of a row cut at both ends, 8 (2 10 + 1) of them.
   static constexpr int kMostBricks = 10;
 
   /// The ball of ball_kernel(radius, half_axis).
@@ -54,12 +54,12 @@ class BallRows {
 
   const std::vector<Row>& rows() const { return rows_; }
   /// Half-widths for a spel's line in its brick, one entry a row: of the line {(x, y, z)} with last point x = W,
-  /// W + kLength - base, but at least 0, and at most what reaches all points of the row. W = -1 where the ball
-  /// misses the line.
+  /// W + kLength - base, but at least 0, and at most what reaches all points of the row. W = skew() - 1 where the
+  /// ball misses the line.
   const typename Lines<d>::Widths* widths(int line) const {
     return widths_.data() + std::size_t(line) * rows_.size();
   }
-  /// For a spel's line, a flag for each row: whether the ball has points there.
+  /// For a spel's line, a flag for each row: whether the ball reaches its bricks of any x.
   const std::uint8_t* met(int line) const { return met_.data() + std::size_t(line) * rows_.size(); }
   /// 1 where the ball's centre is half a cell up x, so that it ends at x = 1 - W on the left; else 0.
   int skew() const { return skew_; }
@@ -86,7 +86,7 @@ struct AlignedBall {
   int bit;  ///< of the spel in the source brick
 
   const typename Lines<d>::Widths* widths() const { return ball->widths(bit / Lines<d>::kLength); }
-  /// A line of a brick or run whose near end is `from` points beyond the base of its row, on the right, has
+  /// A line of a brick whose near end is `from` points beyond the base of its row, on the right, has
   /// width - from - to_right() points in the ball, where that is positive; likewise on the left.
   int to_right() const { return Lines<d>::kLength - 1 - bit % Lines<d>::kLength; }
   int to_left() const { return bit % Lines<d>::kLength + ball->skew(); }

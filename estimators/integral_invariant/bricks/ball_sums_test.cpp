@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "estimators/integral_invariant/bricks/ball_rows.hpp"
 #include "estimators/integral_invariant/bricks/targets.hpp"
 #include "estimators/integral_invariant/bricks/testing_cases.hpp"
 #include "estimators/integral_invariant/surfel_sums.hpp"
@@ -75,13 +76,14 @@ TEST_P(OnTarget, BrickSumsOfNearlyFullBricksFitTheirCounters) {
 TEST_P(OnTarget, BrickSumsAreThoseOfTheDefinitionForHugeBalls) {
   // Where rows have so many bricks on a side that other rows follow them: near the poles; and where the ball is as steep
   // as the rows. It passed for R/h = 500 and 700 too, with tables that take minutes.
-  constexpr double R = 170.3;
+  constexpr double R = 250.3;
   for (const int half_axis : {-1, 0}) {
     const BallSums<3, Moments3> moment_balls({R}, half_axis);
     const BallSums<3, Count3> count_balls({R}, half_axis);
     RandomStream random({std::uint64_t(half_axis + 1)});
-    const LatticeBox<3> cap{{-130, -20, 145}, {130, 3, 178}}, flank{{80, 0, 100}, {180, 12, 140}};
-    for (const LatticeBox<3>& box : {cap, flank}) {
+    const LatticeBox<3> cap{{-170, -20, 205}, {170, 3, 260}}, right{{140, 0, 140}, {240, 12, 180}},
+        left{{-240, 0, 140}, {-140, 12, 180}};
+    for (const LatticeBox<3>& box : {cap, right, left}) {
       RandomSet<3> one{DigitalSet<3>(box), {{0, 0, 0}, {5, 3, 7}, {7, 7, 7}}, "half noise"};
       for_each_point(box, [&](const LatticePoint<3>& z) {
         if (z[1] < 0 || random.below(2) == 0) one.set.set(z, true);
@@ -103,6 +105,24 @@ TEST_P(OnTarget, BrickSumsAreThoseOfTheDefinitionForHugeBalls) {
         EXPECT_EQ(counts[i].n, expected[i].n);
       }
     }
+  }
+}
+
+TEST(BallRows, HoldEveryBrickOnce) {
+  for (const double R : {9.0, 250.0, 500.0}) {
+    const BallRows<3> ball({R}, -1);
+    int split = 0;
+    for (std::size_t i = 0; i < ball.rows().size(); ++i) {
+      const auto& row = ball.rows()[i];
+      const bool follows = i > 0 && ball.rows()[i - 1].brick == row.brick;
+      split += follows;
+      EXPECT_EQ(row.whole, !follows && row.near > 0);
+      if (follows) EXPECT_EQ(row.near, ball.rows()[i - 1].reach + 1);
+      EXPECT_LE(row.near, row.reach);
+      EXPECT_LE(row.reach, std::max(row.near, 1) + BallRows<3>::kMostBricks - 1);
+      EXPECT_LE(64 * ((row.reach + 1) * (row.reach + 1) - row.near * row.near), 32767);
+    }
+    EXPECT_EQ(split > 0, R > 9);
   }
 }
 

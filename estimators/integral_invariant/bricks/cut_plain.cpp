@@ -1,6 +1,7 @@
 #include "estimators/integral_invariant/bricks/cut_plain.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "estimators/integral_invariant/bricks/brick_sums.hpp"
 

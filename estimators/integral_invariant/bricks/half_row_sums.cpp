@@ -1,5 +1,7 @@
 #include "estimators/integral_invariant/bricks/half_row_sums.hpp"
 
+#include <algorithm>
+
 namespace gridstep::bricks {
 
 template <int d, class Sum>

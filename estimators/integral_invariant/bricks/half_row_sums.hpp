@@ -9,7 +9,7 @@
 namespace gridstep::bricks {
 
 /// The part of a ball beyond its whole bricks, to one side of the source brick: prefix sums over the rows of the
-/// ball, for every alignment. Positions are taken from the spel.
+/// ball, for every alignment; without the rows that are cut at both ends. Positions are taken from the spel.
 ///
 /// Memory: 576 (2D: 520) sums for each row of the ball.
 template <int d, class Sum>

@@ -150,7 +150,7 @@ struct LineBalls {
   using V = LineVector<d>;
 
   const LineNumber<d>* widths;
-  V right_end[N], left_end[N];  // in the middle: less a width, plus a width
+  V right_end[N], left_end[N];  // in the middle, where the width is 0: it is to be added, or subtracted
   V to_right[N], to_left[N];    // as in AlignedBall
 
   LineBalls(const BallRows<d>& ball, const std::uint16_t* bits, std::size_t at)

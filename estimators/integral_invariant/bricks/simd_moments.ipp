@@ -77,7 +77,8 @@ HWY_INLINE Bytes all_bytes(int even, int odd) {
 /// x is taken from the spel, y and z from the source brick.
 class Accumulator {
  public:
-  /// The slices' z go from z0.
+  /// The slices' z go from z0. An Int adds up four lines of each row: n^3 of at most 168^3, n c^2 of at most
+  /// 2^15 2 (radius + 8).
   Accumulator(int radius, int z0) : z0_(z0), most_rows_(std::min<std::size_t>(90, std::size_t(8192 / (radius + 16)))) {
     for (SliceSums& total : totals_) total = hn::Zero(SumTag());
     begin();
@@ -111,11 +112,11 @@ class Accumulator {
     nnn_ = add_pairs(add_pairs(nnn_, hn::Mul(even_n, even_n), even_n), hn::Mul(odd_n, odd_n), odd_n);
 
     const ByteTag tag;
-    alignas(16) static constexpr std::uint8_t kY[16] = {0, 1, 2, 3, 4, 5, 6, 7, 0, 1, 2, 3, 4, 5, 6, 7};
-    alignas(16) static constexpr std::uint8_t kSquare[16] = {0, 1, 4, 9, 16, 25, 36, 49, 0, 1, 4, 9, 16, 25, 36, 49};
-    const Ints own_n = pairs(pairs(n, all_bytes(1, 1)), one), own_y = pairs(pairs(n, hn::LoadDup128(tag, kY)), one);
+    alignas(16) static constexpr std::uint8_t kNumbers[16] = {0, 1, 2, 3, 4, 5, 6, 7, 0, 1, 2, 3, 4, 5, 6, 7};
+    alignas(16) static constexpr std::uint8_t kSquares[16] = {0, 1, 4, 9, 16, 25, 36, 49, 0, 1, 4, 9, 16, 25, 36, 49};
+    const Ints own_n = pairs(pairs(n, all_bytes(1, 1)), one), own_y = pairs(pairs(n, hn::LoadDup128(tag, kNumbers)), one);
     n_ = hn::Add(n_, own_n);
-    own_yy_ = add_pairs(own_yy_, pairs(n, hn::LoadDup128(tag, kSquare)), one);
+    own_yy_ = add_pairs(own_yy_, pairs(n, hn::LoadDup128(tag, kSquares)), one);
     const Shorts both = hn::BitCast(ShortTag(), hn::Or(own_n, hn::ShiftLeft<16>(own_y)));
     y_ = add_pairs(y_, both, all(row.y));
     yy_ = add_pairs(yy_, both, all(row.yy));

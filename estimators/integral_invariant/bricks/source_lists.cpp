@@ -21,7 +21,7 @@ void list_part(std::vector<CutRow<d, Sum>>& cut, std::uint32_t row, int lo, int 
 
 template <class Side, class Run>
 void list_side(Side& side, std::uint32_t row, int lo, int hi, const Run* first, int x) {
-  if (lo > hi || (!first->mixed && first->begin <= x + lo && first->end > x + hi))
+  if (!first->mixed && first->begin <= x + lo && first->end > x + hi)
     extend(side.full, row);
   else
     list_part(side.cut, row, lo, hi, first, x);
