@@ -18,9 +18,9 @@
 //                                         .  parts that are empty: never visited
 //
 // The ends of the ball are a table of half-widths, one for each line along x, for each of the alignments of S's lines
-// (BallRows); an alignment along x is an offset. Empty and full bricks are never looked at one by one (BrickRows). A
-// vector of 64 bytes holds one number for each of the 64 lines of a row of bricks, so that a run
-// of E costs seven instructions for a count. The work for a spel is what E holds: the rows where ball boundary meets shape boundary,
+// (BallRows); an alignment along x is an offset. Empty and full bricks are never looked at one by one (BrickRows). In
+// 3D, 64 bytes hold one number for each of the 64 lines of a row of bricks, so that a count of a run of E costs seven
+// instructions of AVX-512. The work for a spel is what E holds: the rows where ball boundary meets shape boundary,
 // O((R/h)^(d-2)). Listing is O((R/h)^(d-1) / 64) (2D: R/h / 8) for each source brick.
 //
 // Nothing is rounded: sums are integers, whatever the order of the additions, hence equal to those of the full kernel

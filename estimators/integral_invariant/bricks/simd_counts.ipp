@@ -19,15 +19,17 @@ HWY_INLINE Words sums(Words v) {
   return v;
 }
 
-/// On one side. At most `at_once` numbers of points fit a lane.
+/// On one side.
 template <int d, std::size_t N>
 HWY_INLINE void count_side(const RowRuns<d>& side, const LineBalls<d, N>& balls, const LineVector<d> (&to)[N],
-                           std::size_t at_once, Words (&totals)[N]) {
+                           Words (&totals)[N]) {
   const LineTag<d> tag;
+  // So many numbers of points a lane is sure to hold.
+  constexpr std::size_t kAtOnce = d == 3 ? 255 / (8 * BallRows<3>::kMostBricks) : 16;
   for (std::size_t k = 0; k < side.size();) {
     LineVector<d> some[N];
     for (auto& one : some) one = hn::Zero(tag);
-    for (const std::size_t stop = std::min(side.size(), k + at_once); k < stop; ++k) {
+    for (const std::size_t stop = std::min(side.size(), k + kAtOnce); k < stop; ++k) {
       const auto reached = beyond(balls.width(side.row(k)), hn::Load(tag, side[k].begin.data())),
                  length = hn::Load(tag, side[k].end_or_length.data());
       for (std::size_t i = 0; i < N; ++i)
@@ -52,9 +54,8 @@ HWY_INLINE void count_line(const CutRuns<d>& runs, const BallRows<d>& ball, cons
       totals[i] = hn::Add(totals[i], sums(beyond(hn::Min(end, hn::Add(width, balls.right_end[i])),
                                                  hn::Max(begin, hn::Sub(balls.left_end[i], width)))));
   }
-  constexpr std::size_t kAtOnce = d == 3 ? 255 / (8 * BallRows<3>::kMostBricks) : 16;
-  count_side(runs.right, balls, balls.to_right, kAtOnce, totals);
-  count_side(runs.left, balls, balls.to_left, kAtOnce, totals);
+  count_side(runs.right, balls, balls.to_right, totals);
+  count_side(runs.left, balls, balls.to_left, totals);
   for (std::size_t i = 0; i < N; ++i) counts[i].n += hn::GetLane(hn::SumOfLanes(WordTag(), totals[i]));
 }
 
