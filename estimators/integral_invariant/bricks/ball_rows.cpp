@@ -90,6 +90,10 @@ BallRows<d>::BallRows(DigitalLength radius, int half_axis) : skew_(half_axis == 
       rows_.push_back({brick, first, std::min(reach, last_brick<d>(first)), first == near && near > 0});
   });
 
+  const auto sides =
+      std::stable_partition(rows_.begin(), rows_.end(), [](const Row& row) { return row.near == 0; });
+  middle_size_ = std::size_t(sides - rows_.begin());
+
   widths_.resize(std::size_t(Lines<d>::kCount) * rows_.size());
   met_.resize(widths_.size());
   for (int line = 0; line < Lines<d>::kCount; ++line)

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <type_traits>
 #include <vector>
 
@@ -52,7 +53,10 @@ class BallRows {
   /// @throws InputError where R/h < 1 or not finite, or above 700 in 3D, 16384 in 2D.
   BallRows(DigitalLength radius, int half_axis);
 
+  /// The rows with near = 0, the middle, and then the others.
   const std::vector<Row>& rows() const { return rows_; }
+  std::span<const Row> middle() const { return std::span(rows_).first(middle_size_); }
+  std::span<const Row> sides() const { return std::span(rows_).subspan(middle_size_); }
   /// Half-widths for a spel's line in its brick, one entry a row: of the line {(x, y, z)} with last point x = W,
   /// W + kLength - base, but at least 0, and at most what reaches all points of the row. W = skew() - 1 where the
   /// ball misses the line.
@@ -73,6 +77,7 @@ class BallRows {
 
  private:
   std::vector<Row> rows_;
+  std::size_t middle_size_ = 0;
   std::vector<typename Lines<d>::Widths> widths_;
   std::vector<std::uint8_t> met_;
   std::int64_t size_ = 0;

@@ -1,6 +1,6 @@
 #include "estimators/integral_invariant/bricks/ball_sums.hpp"
 
-#include "estimators/integral_invariant/bricks/half_row_sums.hpp"
+#include "estimators/integral_invariant/bricks/full_row_sums.hpp"
 #include "estimators/integral_invariant/bricks/targets.hpp"
 #include "shapes/base/parallel.hpp"
 
@@ -9,9 +9,9 @@ namespace gridstep::bricks {
 template <int d, class Sum>
 struct BallSums<d, Sum>::Tables {
   BallRows<d> ball;
-  HalfRowSums<d, Modular<Sum>> half_rows;
+  FullRowSums<d, Modular<Sum>> full_rows;
 
-  Tables(DigitalLength radius, int half_axis) : ball(radius, half_axis), half_rows(ball) {}
+  Tables(DigitalLength radius, int half_axis) : ball(radius, half_axis), full_rows(ball) {}
 };
 
 template <int d, class Sum>
@@ -31,7 +31,7 @@ std::int64_t BallSums<d, Sum>::ball_size() const {
 
 template <int d, class Sum>
 std::size_t BallSums<d, Sum>::memory() const {
-  return tables_->ball.memory() + tables_->half_rows.memory();
+  return tables_->ball.memory() + tables_->full_rows.memory();
 }
 
 template <int d, class Sum>
@@ -40,7 +40,7 @@ std::vector<Sum> BallSums<d, Sum>::eval(const DigitalSet<d>& set, const SpelsByB
   const auto& sources = spels.sources();
   std::vector<Sum> result(spels.size());
   if (sources.empty()) return result;
-  const auto& [ball, half_rows] = *tables_;
+  const auto& [ball, full_rows] = *tables_;
 
   LatticeBox<d> box{sources.front().brick, sources.front().brick};
   for (const auto& source : sources) box = {box.lo.cwiseMin(source.brick), box.hi.cwiseMax(source.brick)};
@@ -74,8 +74,9 @@ std::vector<Sum> BallSums<d, Sum>::eval(const DigitalSet<d>& set, const SpelsByB
         Modular<Sum> sum = lists.inside;
         sum.move(origin + Brick<d>::offset(bits[k]));
         add(sum, sums[k]);
-        add(sum, half_rows.right(lists.right.full, bits[k]));
-        add(sum, half_rows.left(lists.left.full, bits[k]));
+        add(sum, full_rows.middle(lists.middle.full, bits[k]));
+        add(sum, full_rows.right(lists.right.full, bits[k]));
+        add(sum, full_rows.left(lists.left.full, bits[k]));
         result[source.begin + k] = to_signed(sum);
       }
       visited += std::int64_t(lists.size() * bits.size());

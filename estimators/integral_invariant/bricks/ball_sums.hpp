@@ -14,7 +14,7 @@
 //     F F F C C C C|C S C C . . .             set is not smooth, several), and for each spel they are clipped by
 //      F F F F C C C|C C C . . .              the ends of the ball: two at the top and bottom, where balls are
 //        E E E E E E E|E . . . .              narrow, one on either side elsewhere
-//            E E E E E E|. . . .          F  sides that are full: a difference in a table (HalfRowSums)
+//            E E E E E E|. . . .          F  rows or sides that are full: a difference in a table (FullRowSums)
 //                                         .  parts that are empty: never visited
 //
 // The ends of the ball are a table of half-widths, one for each line along x, for each of the alignments of S's lines

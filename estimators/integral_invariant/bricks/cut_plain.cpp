@@ -53,8 +53,8 @@ template <int d, class Sum>
 Sum cut_sum(const SourceLists<d, Sum>& lists, const AlignedBall<d>& ball) {
   static const Brick<d> kFull = Brick<d>::full();
   Sum sum;
-  for (const auto* cut : {&lists.middle, &lists.right.cut, &lists.left.cut})
-    for (const CutRow<d, Sum>& part : *cut) {
+  for (const auto* parts : {&lists.middle, &lists.right, &lists.left})
+    for (const CutRow<d, Sum>& part : parts->cut) {
       const auto& row = ball.ball->rows()[part.row];
       const Widths<d>& widths = ball.widths()[part.row];
       lists.for_each_run(part, [&](int begin, int end, const Brick<d>* mixed) {

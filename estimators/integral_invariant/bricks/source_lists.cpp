@@ -4,7 +4,7 @@ namespace gridstep::bricks {
 
 namespace {
 
-void extend(std::vector<FullSides>& full, std::uint32_t row) {
+void extend(std::vector<FullRows>& full, std::uint32_t row) {
   if (!full.empty() && full.back().end == row)
     ++full.back().end;
   else
@@ -13,18 +13,15 @@ void extend(std::vector<FullSides>& full, std::uint32_t row) {
 
 /// Lists what lies in bricks lo to hi, counted from the source brick x; `first` is the first run that ends behind lo.
 template <int d, class Sum, class Run>
-void list_part(std::vector<CutRow<d, Sum>>& cut, std::uint32_t row, int lo, int hi, const Run* first, int x) {
+void list_cut(std::vector<CutRow<d, Sum>>& cut, std::uint32_t row, int lo, int hi, const Run* first, int x) {
   const Run* last = first;
   while (last->begin <= x + hi) ++last;
   if (last != first) cut.push_back({row, lo, hi, first, last});
 }
 
-template <class Side, class Run>
-void list_side(Side& side, std::uint32_t row, int lo, int hi, const Run* first, int x) {
-  if (!first->mixed && first->begin <= x + lo && first->end > x + hi)
-    extend(side.full, row);
-  else
-    list_part(side.cut, row, lo, hi, first, x);
+template <class Run>
+bool is_full(int lo, int hi, const Run* first, int x) {
+  return !first->mixed && first->begin <= x + lo && first->end > x + hi;
 }
 
 }  // namespace
@@ -32,23 +29,40 @@ void list_side(Side& side, std::uint32_t row, int lo, int hi, const Run* first, 
 template <int d, class Sum>
 std::size_t SourceLists<d, Sum>::size() const {
   std::size_t result = 0;
-  for (const auto* cut : {&middle, &right.cut, &left.cut})
-    for (const CutRow<d, Sum>& part : *cut) result += std::size_t(part.last - part.first);
+  for (const Parts* parts : {&middle, &right, &left})
+    for (const CutRow<d, Sum>& part : parts->cut) result += std::size_t(part.last - part.first);
   return result;
 }
 
 template <int d, class Sum>
-void SourceLists<d, Sum>::build(const BallRows<d>& ball, const BrickRows<d, Sum>& set,
-                                const LatticePoint<d>& source) {
-  x = source[0];
-  inside = {};
-  middle.clear();
-  for (Side* side : {&right, &left}) {
-    side->cut.clear();
-    side->full.clear();
+void SourceLists<d, Sum>::build_middle(const BallRows<d>& ball, const BrickRows<d, Sum>& set,
+                                       const LatticePoint<d>& source) {
+  for (std::uint32_t i = 0; i < ball.middle().size(); ++i) {
+    const auto& ball_row = ball.middle()[i];
+    const auto row = set.row(source + ball_row.brick);
+    if (row.empty()) continue;
+    const int far = ball_row.reach;
+    const auto* run = set.find(row, x - far);
+    // Only of a row that no other follows are all points in the table.
+    if (far < BallRows<d>::kMostBricks && is_full(-far, far, run, x))
+      extend(middle.full, i);
+    else
+      list_cut(middle.cut, i, -far, far, run, x);
   }
-  for (std::uint32_t index = 0; index < ball.rows().size(); ++index) {
-    const auto& ball_row = ball.rows()[index];
+}
+
+template <int d, class Sum>
+void SourceLists<d, Sum>::build_sides(const BallRows<d>& ball, const BrickRows<d, Sum>& set,
+                                      const LatticePoint<d>& source) {
+  const auto first_side = std::uint32_t(ball.middle().size());
+  const auto list = [&](Parts& side, std::uint32_t i, int lo, int hi, const auto* run) {
+    if (is_full(lo, hi, run, x))
+      extend(side.full, i);
+    else
+      list_cut(side.cut, first_side + i, lo, hi, run, x);
+  };
+  for (std::uint32_t i = 0; i < ball.sides().size(); ++i) {
+    const auto& ball_row = ball.sides()[i];
     const LatticePoint<d> brick = source + ball_row.brick;
     const auto row = set.row(brick);
     if (row.empty()) continue;
@@ -59,18 +73,27 @@ void SourceLists<d, Sum>::build(const BallRows<d>& ball, const BrickRows<d, Sum>
       while (run->end <= end) ++run;
       return run;
     };
-    if (near == 0) {
-      list_part(middle, index, -far, far, run, x);
-      continue;
-    }
-    list_side(left, index, -far, -near, run, x);
+    list(left, i, -far, -near, run);
     if (ball_row.whole) {
       const int begin = x - near + 1, end = x + near;
       subtract(inside, set.before(behind(begin), brick, begin));
       add(inside, set.before(behind(end), brick, end));
     }
-    list_side(right, index, near, far, behind(x + near), x);
+    list(right, i, near, far, behind(x + near));
   }
+}
+
+template <int d, class Sum>
+void SourceLists<d, Sum>::build(const BallRows<d>& ball, const BrickRows<d, Sum>& set,
+                                const LatticePoint<d>& source) {
+  x = source[0];
+  inside = {};
+  for (Parts* parts : {&middle, &right, &left}) {
+    parts->cut.clear();
+    parts->full.clear();
+  }
+  build_middle(ball, set, source);
+  build_sides(ball, set, source);
 }
 
 template struct SourceLists<2, Counts<2>>;

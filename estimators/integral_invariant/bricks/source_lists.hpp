@@ -18,22 +18,23 @@ struct CutRow {
   const typename BrickRows<d, Sum>::Run *first, *last;
 };
 
-/// Successive rows of BallRows, `end` excluded, one side of which is full: they are summed up in HalfRowSums.
-struct FullSides {
+/// Successive rows of BallRows::middle() that are full, or of sides() that are full on one side, `end` excluded: they are
+/// summed up in FullRowSums.
+struct FullRows {
   std::uint32_t begin, end;
 };
 
 /// What the balls around the spels of one source brick have in common.
 template <int d, class Sum>
 struct SourceLists {
-  struct Side {
+  struct Parts {
     std::vector<CutRow<d, Sum>> cut;  ///< E
-    std::vector<FullSides> full;      ///< F
+    std::vector<FullRows> full;       ///< F
   };
-  int x;                               ///< of the source brick
-  Sum inside;                          ///< C: the points in bricks inside every ball
-  std::vector<CutRow<d, Sum>> middle;  ///< E: parts that a ball may cut at both ends
-  Side right, left;
+  int x;         ///< of the source brick
+  Sum inside;    ///< C: the points in bricks inside every ball
+  Parts middle;  ///< a ball may cut them at both ends
+  Parts right, left;
 
   /// Runs of bricks that each spel visits.
   std::size_t size() const;
@@ -47,6 +48,10 @@ struct SourceLists {
 
   /// Cost: the rows of the ball, and the runs of the set that a ball boundary may cross.
   void build(const BallRows<d>& ball, const BrickRows<d, Sum>& set, const LatticePoint<d>& source);
+
+ private:
+  void build_middle(const BallRows<d>& ball, const BrickRows<d, Sum>& set, const LatticePoint<d>& source);
+  void build_sides(const BallRows<d>& ball, const BrickRows<d, Sum>& set, const LatticePoint<d>& source);
 };
 
 extern template struct SourceLists<2, Counts<2>>;
