@@ -3,7 +3,6 @@
 #include "estimators/catalogue.hpp"
 #include "estimators/integral_invariant/curvature.hpp"
 #include "estimators/integral_invariant/surfel_sums.hpp"
-#include "shapes/base/parallel.hpp"
 
 namespace gridstep {
 
@@ -26,18 +25,14 @@ class IntegralInvariant final : public Estimator<d> {
   }
 
   Estimates eval(std::span<const Surfel<d>> surfels) override {
-    const auto pairs = sums_.eval(surfels);
-    raw_ = Estimates::zeros({"sum"}, pairs.size());
-    Estimates result = Estimates::zeros({d == 2 ? "kappa" : "mean"}, pairs.size());
+    raw_ = Estimates::zeros({"sum"}, surfels.size());
+    Estimates result = Estimates::zeros({d == 2 ? "kappa" : "mean"}, surfels.size());
     const double cell = std::pow(h_.value, d);
-    constexpr std::size_t kGrain = 1024;
-    parallel_chunks(pairs.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i != end; ++i) {
-        const double sum = 0.5 * double(pairs[i].inner.n + pairs[i].outer.n);
-        raw_.columns[0][i] = sum;
-        result.columns[0][i] =
-            d == 2 ? curvature_from_area(cell * sum, R_) : mean_curvature_from_volume(cell * sum, R_);
-      }
+    sums_.eval(surfels, [&](std::size_t i, const auto& inner, const auto& outer) {
+      const double sum = 0.5 * double(inner.n + outer.n);
+      raw_.columns[0][i] = sum;
+      result.columns[0][i] =
+          d == 2 ? curvature_from_area(cell * sum, R_) : mean_curvature_from_volume(cell * sum, R_);
     });
     return result;
   }

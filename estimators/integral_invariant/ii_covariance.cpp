@@ -3,7 +3,6 @@
 #include "estimators/catalogue.hpp"
 #include "estimators/integral_invariant/curvature.hpp"
 #include "estimators/integral_invariant/surfel_sums.hpp"
-#include "shapes/base/parallel.hpp"
 
 namespace gridstep {
 
@@ -29,24 +28,19 @@ class IntegralInvariantCovariance final : public Estimator<3> {
   }
 
   Estimates eval(std::span<const Surfel<3>> surfels) override {
-    const auto pairs = sums_.eval(surfels);
-    Estimates result = Estimates::zeros({kSurfaceQuantities.begin(), kSurfaceQuantities.end()}, pairs.size());
-    raw_ = Estimates::zeros({kRaw.begin(), kRaw.end()}, pairs.size());
+    Estimates result = Estimates::zeros({kSurfaceQuantities.begin(), kSurfaceQuantities.end()}, surfels.size());
+    raw_ = Estimates::zeros({kRaw.begin(), kRaw.end()}, surfels.size());
     const double scale = std::pow(h_.value, 5);
-    constexpr std::size_t kGrain = 256;
-    parallel_chunks(pairs.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i != end; ++i) {
-        const auto& [inner, outer] = pairs[i];
-        const Eigen::Matrix3d covariance = 0.5 * (covariance_of(inner) + covariance_of(outer));
-        Eigen::Vector3d towards_inside = first_moment(inner) + first_moment(outer);
-        // Both sums are taken from the lower spel here, half a cell off the centre of the ball.
-        if (centre_ == KernelCentre::surfel) towards_inside[surfels[i].axis] -= double(inner.n);
-        const PrincipalCurvatures principal = principal_curvatures(scale * covariance, towards_inside, R_);
-        result.set_row(
-            i, surface_values((principal.k1 + principal.k2) / 2, principal.k1 * principal.k2, principal));
-        raw_.set_row(i, std::array{0.5 * double(inner.n + outer.n), covariance(0, 0), covariance(0, 1),
-                                   covariance(0, 2), covariance(1, 1), covariance(1, 2), covariance(2, 2)});
-      }
+    sums_.eval(surfels, [&](std::size_t i, const Sum& inner, const Sum& outer) {
+      const Eigen::Matrix3d covariance = 0.5 * (covariance_of(inner) + covariance_of(outer));
+      Eigen::Vector3d towards_inside = first_moment(inner) + first_moment(outer);
+      // Both sums are taken from the lower spel here, half a cell off the centre of the ball.
+      if (centre_ == KernelCentre::surfel) towards_inside[surfels[i].axis] -= double(inner.n);
+      const PrincipalCurvatures principal = principal_curvatures(scale * covariance, towards_inside, R_);
+      result.set_row(
+          i, surface_values((principal.k1 + principal.k2) / 2, principal.k1 * principal.k2, principal));
+      raw_.set_row(i, std::array{0.5 * double(inner.n + outer.n), covariance(0, 0), covariance(0, 1),
+                                 covariance(0, 2), covariance(1, 1), covariance(1, 2), covariance(2, 2)});
     });
     return result;
   }

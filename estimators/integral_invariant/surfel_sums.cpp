@@ -8,6 +8,8 @@ namespace gridstep {
 
 namespace {
 
+constexpr std::size_t kGrain = 256;
+
 /// The spels that insert(i, spels, memos) puts into `spels`, for each i below `size`, numbered.
 template <int d, class Insert>
 bricks::SpelsByBrick<d> grouped(std::size_t size, Insert insert) {
@@ -59,20 +61,16 @@ void SurfelSums<d, Sum>::add_work(const EvaluationWork& work) {
 }
 
 template <int d, class Sum>
-std::vector<typename SurfelSums<d, Sum>::Pair> SurfelSums<d, Sum>::eval(std::span<const Surfel<d>> surfels) {
+void SurfelSums<d, Sum>::eval(std::span<const Surfel<d>> surfels, const Use& use) {
   expects(!kernels_.empty() || !balls_.empty(), "init() before eval()");
   work_.evaluations = work_.cells_visited = work_.restarts = 0;
-  std::vector<Pair> result(surfels.size());
   if (balls_.empty()) {
-    eval_kernels(surfels, result);
-    return result;
+    eval_kernels(surfels, use);
+    return;
   }
-  constexpr std::size_t kBatch = (std::size_t{32} << 20) / sizeof(Pair);
-  for (std::size_t begin = 0; begin < surfels.size(); begin += kBatch) {
-    const std::size_t size = std::min(kBatch, surfels.size() - begin);
-    eval_bricks(surfels.subspan(begin, size), std::span(result).subspan(begin, size));
-  }
-  return result;
+  constexpr std::size_t kBatch = (std::size_t{16} << 20) / sizeof(Sum);
+  for (std::size_t begin = 0; begin < surfels.size(); begin += kBatch)
+    eval_bricks(surfels.subspan(begin, std::min(kBatch, surfels.size() - begin)), begin, use);
 }
 
 template <int d, class Sum>
@@ -86,7 +84,7 @@ std::vector<Sum> SurfelSums<d, Sum>::convolve_at(const Kernels& kernels,
 }
 
 template <int d, class Sum>
-void SurfelSums<d, Sum>::eval_kernels(std::span<const Surfel<d>> surfels, std::span<Pair> result) {
+void SurfelSums<d, Sum>::eval_kernels(std::span<const Surfel<d>> surfels, const Use& use) {
   if (options_.centre == KernelCentre::spels) {
     std::vector<LatticePoint<d>> spels;
     spels.reserve(2 * surfels.size());
@@ -96,8 +94,10 @@ void SurfelSums<d, Sum>::eval_kernels(std::span<const Surfel<d>> surfels, std::s
     }
     const DistinctPoints<d> distinct(std::move(spels));
     const std::vector<Sum> sums = convolve_at(kernels_.front(), distinct.points);
-    for (std::size_t i = 0; i < surfels.size(); ++i)
-      result[i] = {sums[distinct.position(surfels[i].inner)], sums[distinct.position(surfels[i].outer())]};
+    parallel_chunks(surfels.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i != end; ++i)
+        use(i, sums[distinct.position(surfels[i].inner)], sums[distinct.position(surfels[i].outer())]);
+    });
     return;
   }
   for (int axis = 0; axis < d; ++axis) {
@@ -106,18 +106,19 @@ void SurfelSums<d, Sum>::eval_kernels(std::span<const Surfel<d>> surfels, std::s
       if (surfel.axis == axis) spels.push_back(lower_spel(surfel));
     const DistinctPoints<d> distinct(std::move(spels));
     const std::vector<Sum> sums = convolve_at(kernels_[std::size_t(axis)], distinct.points);
-    for (std::size_t i = 0; i < surfels.size(); ++i) {
-      if (surfels[i].axis != axis) continue;
-      const Sum& sum = sums[distinct.position(lower_spel(surfels[i]))];
-      result[i] = {sum, sum};
-    }
+    parallel_chunks(surfels.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i != end; ++i) {
+        if (surfels[i].axis != axis) continue;
+        const Sum& sum = sums[distinct.position(lower_spel(surfels[i]))];
+        use(i, sum, sum);
+      }
+    });
   }
 }
 
 template <int d, class Sum>
-void SurfelSums<d, Sum>::eval_bricks(std::span<const Surfel<d>> surfels, std::span<Pair> result) {
+void SurfelSums<d, Sum>::eval_bricks(std::span<const Surfel<d>> surfels, std::size_t first, const Use& use) {
   using Spels = bricks::SpelsByBrick<d>;
-  constexpr std::size_t kGrain = 4096;
   EvaluationWork work;
   if (options_.centre == KernelCentre::spels) {
     const Spels spels = grouped<d>(surfels.size(), [&](std::size_t i, Spels& part, auto& memos) {
@@ -128,8 +129,8 @@ void SurfelSums<d, Sum>::eval_bricks(std::span<const Surfel<d>> surfels, std::sp
     parallel_chunks(surfels.size(), kGrain, [&](std::size_t begin, std::size_t end) {
       typename Spels::Memo inner, outer;
       for (std::size_t i = begin; i != end; ++i)
-        result[i] = {sums[spels.position(surfels[i].inner, inner)],
-                     sums[spels.position(surfels[i].outer(), outer)]};
+        use(first + i, sums[spels.position(surfels[i].inner, inner)],
+            sums[spels.position(surfels[i].outer(), outer)]);
     });
   } else {
     for (int axis = 0; axis < d; ++axis) {
@@ -142,7 +143,7 @@ void SurfelSums<d, Sum>::eval_bricks(std::span<const Surfel<d>> surfels, std::sp
         for (std::size_t i = begin; i != end; ++i) {
           if (surfels[i].axis != axis) continue;
           const Sum& sum = sums[spels.position(lower_spel(surfels[i]), memo)];
-          result[i] = {sum, sum};
+          use(first + i, sum, sum);
         }
       });
     }

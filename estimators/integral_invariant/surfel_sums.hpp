@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -21,14 +22,14 @@ namespace gridstep {
 template <int d, class Sum>
 class SurfelSums {
  public:
-  struct Pair {
-    Sum inner, outer;
-  };
+  /// What to do with the sums of the i-th surfel.
+  using Use = std::function<void(std::size_t i, const Sum& inner, const Sum& outer)>;
 
   SurfelSums(const DigitalSet<d>& set, const EstimatorOptions& options) : set_(set), options_(options) {}
 
   void init(GridStep h, EuclideanLength R);
-  std::vector<Pair> eval(std::span<const Surfel<d>> surfels);
+  /// Calls use() once for each surfel, from all threads of the current arena.
+  void eval(std::span<const Surfel<d>> surfels, const Use& use);
 
   EstimatorWork work() const { return work_; }
 
@@ -37,9 +38,10 @@ class SurfelSums {
     Kernel<d, std::int64_t> kernel;
     std::optional<DisplacementMasks<d, std::int64_t>> masks;
   };
-  void eval_kernels(std::span<const Surfel<d>> surfels, std::span<Pair> result);
+  void eval_kernels(std::span<const Surfel<d>> surfels, const Use& use);
   std::vector<Sum> convolve_at(const Kernels& kernels, std::span<const LatticePoint<d>> points);
-  void eval_bricks(std::span<const Surfel<d>> surfels, std::span<Pair> result);
+  /// The first surfel's number is `first`.
+  void eval_bricks(std::span<const Surfel<d>> surfels, std::size_t first, const Use& use);
   void add_work(const EvaluationWork& work);
 
   const DigitalSet<d>& set_;

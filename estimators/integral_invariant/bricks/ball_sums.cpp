@@ -69,10 +69,10 @@ std::vector<Sum> BallSums<d, Sum>::eval(const DigitalSet<d>& set, const SpelsByB
       for_each_bit(source.spels, [&](int bit) { bits.push_back(std::uint16_t(bit)); });
       sums.resize(bits.size());
       cut_sums(lists, ball, bits, sums.data());
-      const LatticePoint<d> origin = Brick<d>::origin(source.brick);
+      lists.inside.move(Brick<d>::origin(source.brick));
       for (std::size_t k = 0; k < bits.size(); ++k) {
         Modular<Sum> sum = lists.inside;
-        sum.move(origin + Brick<d>::offset(bits[k]));
+        sum.move(Brick<d>::offset(bits[k]));
         add(sum, sums[k]);
         add(sum, full_rows.middle(lists.middle.full, bits[k]));
         add(sum, full_rows.right(lists.right.full, bits[k]));

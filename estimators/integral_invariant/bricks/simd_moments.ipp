@@ -11,7 +11,7 @@ using Ints = hn::VFromD<IntTag>;  // four lines each, of one z
 using SumTag = hn::Repartition<std::int64_t, ByteTag>;
 using SliceSums = hn::VFromD<SumTag>;  // eight lines each: a slice, z fixed
 
-/// The sums of products of neighbours, of bytes and of weights below 128.
+/// The sums of products of neighbours, of bytes and of signed weights.
 HWY_INLINE Shorts pairs(Bytes bytes, Bytes weights) {
 #if HWY_TARGET <= HWY_AVX3
   return Shorts{_mm512_maddubs_epi16(bytes.raw, weights.raw)};
@@ -28,12 +28,23 @@ HWY_INLINE Ints pairs(Shorts a, Shorts b) {
   return add_pairs(hn::Zero(IntTag()), a, b);
 }
 HWY_INLINE SliceSums slices(Ints v) {
-  const SliceSums w = hn::BitCast(SumTag(), v);
-  return hn::Add(hn::ShiftRight<32>(hn::ShiftLeft<32>(w)), hn::ShiftRight<32>(w));
+  return hn::Add(hn::MulEven(v, hn::Set(IntTag(), 1)), hn::ShiftRight<32>(hn::BitCast(SumTag(), v)));
 }
 /// Of numbers that fit 32 bits.
 HWY_INLINE SliceSums times(SliceSums a, SliceSums b) {
   return hn::MulEven(hn::BitCast(IntTag(), a), hn::BitCast(IntTag(), b));
+}
+
+/// The sum of the pairs that a vector is made of.
+template <class V>
+HWY_INLINE auto sum_of_pairs(V v) {
+  constexpr hn::DFromV<V> tag;
+  if constexpr (hn::MaxLanes(tag) == 2) {
+    return v;
+  } else {
+    const hn::Half<decltype(tag)> half;
+    return sum_of_pairs(hn::Add(hn::LowerHalf(half, v), hn::UpperHalf(half, v)));
+  }
 }
 
 /// What depends on where a row of bricks lies: y = 8 Y + 0, ..., 7 and z = 8 Z + 0, ..., 7 in its lines.
@@ -72,15 +83,30 @@ HWY_INLINE Bytes all_bytes(int even, int odd) {
   return hn::BitCast(ByteTag(), all(even | odd << 8));
 }
 
+/// y - y0 for y = 0, ..., 7, and its square, as bytes of a word.
+struct LineWeights {
+  std::uint64_t y = 0, yy = 0;
+
+  explicit LineWeights(int y0) {
+    for (int y1 = 7; y1 >= 0; --y1) {
+      y = y << 8 | std::uint8_t(y1 - y0);
+      yy = yy << 8 | std::uint8_t((y1 - y0) * (y1 - y0));
+    }
+  }
+};
+
 /// The moments of one run in each line of one row after the other: of n points around c / 2 that are
 ///   sum x = n c / 2,  sum x^2 = (3 n c^2 + n^3 - n) / 12.
-/// x is taken from the spel, y and z from the source brick.
+/// Positions are taken from a spel in `line` of the source brick.
 class Accumulator {
  public:
-  /// The slices' z go from z0. An Int adds up four lines of each row: n^3 of at most 168^3, n c^2 of at most
-  /// 2^15 2 (radius + 8).
-  Accumulator(int radius, int z0) : z0_(z0), most_rows_(std::min<std::size_t>(90, std::size_t(8192 / (radius + 16)))) {
-    for (SliceSums& total : totals_) total = hn::Zero(SumTag());
+  /// In the lanes from the at-th line of every brick on. An Int adds up four lines of each row: n^3 of at most 168^3, n c^2
+  /// of at most 2^15 2 (radius + 8).
+  Accumulator(int radius, int line, std::size_t at)
+      : y0_(line % 8), z0_(int(at / 8) - line / 8), most_rows_(std::min<std::size_t>(90, std::size_t(8192 / (radius + 16)))) {
+    const LineWeights weights(y0_);
+    own_y_weights_ = hn::BitCast(ByteTag(), hn::Set(WordTag(), weights.y));
+    own_yy_weights_ = hn::BitCast(ByteTag(), hn::Set(WordTag(), weights.yy));
     begin();
   }
 
@@ -111,12 +137,9 @@ class Accumulator {
     ncc_ = of_both(ncc_, even_c, odd_c);
     nnn_ = add_pairs(add_pairs(nnn_, hn::Mul(even_n, even_n), even_n), hn::Mul(odd_n, odd_n), odd_n);
 
-    const ByteTag tag;
-    alignas(16) static constexpr std::uint8_t kNumbers[16] = {0, 1, 2, 3, 4, 5, 6, 7, 0, 1, 2, 3, 4, 5, 6, 7};
-    alignas(16) static constexpr std::uint8_t kSquares[16] = {0, 1, 4, 9, 16, 25, 36, 49, 0, 1, 4, 9, 16, 25, 36, 49};
-    const Ints own_n = pairs(pairs(n, all_bytes(1, 1)), one), own_y = pairs(pairs(n, hn::LoadDup128(tag, kNumbers)), one);
+    const Ints own_n = pairs(pairs(n, all_bytes(1, 1)), one), own_y = pairs(pairs(n, own_y_weights_), one);
     n_ = hn::Add(n_, own_n);
-    own_yy_ = add_pairs(own_yy_, pairs(n, hn::LoadDup128(tag, kSquares)), one);
+    own_yy_ = add_pairs(own_yy_, pairs(n, own_yy_weights_), one);
     const Shorts both = hn::BitCast(ShortTag(), hn::Or(own_n, hn::ShiftLeft<16>(own_y)));
     y_ = add_pairs(y_, both, all(row.y));
     yy_ = add_pairs(yy_, both, all(row.yy));
@@ -126,45 +149,47 @@ class Accumulator {
   }
   HWY_INLINE Moments sums() {
     spill();
-    std::array<std::int64_t, kTotals> total;
-    for (std::size_t i = 0; i < kTotals; ++i) total[i] = hn::GetLane(hn::SumOfLanes(SumTag(), totals_[i]));
-    const auto number = [](std::int64_t v) { return std::uint64_t(v); };
-    return {number(total[kN]),
-            {number(total[kX] / 2), number(total[kY]), number(total[kZ])},
-            {number((total[kXX] - total[kN]) / 12), number(total[kXY] / 2), number(total[kXZ] / 2),
-             number(total[kYY]), number(total[kYZ]), number(total[kZZ])}};
+    const auto total = [&](std::size_t i) { return std::uint64_t(totals_[i]); };
+    const std::uint64_t xy = total(kXY) - total(kX) * std::uint64_t(y0_);  // still doubled
+    return {total(kN),
+            {half(total(kX)), total(kY), total(kZ)},
+            {std::uint64_t((totals_[kXX] - totals_[kN]) / 12), half(xy), half(total(kXZ)), total(kYY), total(kYZ),
+             total(kZZ)}};
   }
 
  private:
   enum { kN, kX, kY, kZ, kXX, kXY, kXZ, kYY, kYZ, kZZ, kTotals };
 
+  static std::uint64_t half(std::uint64_t even) { return std::uint64_t(std::int64_t(even) / 2); }
   HWY_INLINE void begin() {
     n_ = y_ = yy_ = own_yy_ = Zn_ = ZZn_ = Zy_ = nc_ = ync_ = Znc_ = ncc_ = nnn_ = hn::Zero(IntTag());
     rows_ = 0;
   }
-  HWY_INLINE void add_to(std::size_t total, SliceSums v) { totals_[total] = hn::Add(totals_[total], v); }
+  HWY_INLINE void add_to_totals(std::size_t i, SliceSums a, SliceSums b) {
+    const auto both = sum_of_pairs(hn::Add(hn::InterleaveLower(SumTag(), a, b), hn::InterleaveUpper(SumTag(), a, b)));
+    const hn::DFromV<decltype(both)> tag;
+    hn::Store(hn::Add(hn::Load(tag, &totals_[i]), both), tag, &totals_[i]);
+  }
   /// Before a sum may leave 32 bits.
   HWY_INLINE void spill() {
     const SliceSums z = hn::Iota(SumTag(), z0_);
     const SliceSums n = slices(n_), y = slices(y_), nc = slices(nc_), Zn = hn::ShiftLeft<3>(slices(Zn_)),
                     zn = times(n, z), ncc = slices(ncc_);
-    add_to(kN, n);
-    add_to(kX, nc);
-    add_to(kY, y);
-    add_to(kZ, hn::Add(Zn, zn));
-    add_to(kXX, hn::Add(hn::Add(ncc, hn::Add(ncc, ncc)), slices(nnn_)));
-    add_to(kXY, slices(ync_));
-    add_to(kXZ, hn::Add(hn::ShiftLeft<3>(slices(Znc_)), times(nc, z)));
-    add_to(kYY, hn::Add(hn::ShiftLeft<4>(slices(yy_)), slices(own_yy_)));
-    add_to(kYZ, hn::Add(hn::ShiftLeft<3>(slices(Zy_)), times(y, z)));
-    add_to(kZZ, hn::Add(hn::ShiftLeft<6>(slices(ZZn_)), times(hn::Add(hn::Add(Zn, Zn), zn), z)));
+    add_to_totals(kN, n, nc);
+    add_to_totals(kY, y, hn::Add(Zn, zn));
+    add_to_totals(kXX, hn::Add(hn::Add(ncc, hn::Add(ncc, ncc)), slices(nnn_)), slices(ync_));
+    add_to_totals(kXZ, hn::Add(hn::ShiftLeft<3>(slices(Znc_)), times(nc, z)),
+                  hn::Add(hn::ShiftLeft<4>(slices(yy_)), slices(own_yy_)));
+    add_to_totals(kYZ, hn::Add(hn::ShiftLeft<3>(slices(Zy_)), times(y, z)),
+                  hn::Add(hn::ShiftLeft<6>(slices(ZZn_)), times(hn::Add(hn::Add(Zn, Zn), zn), z)));
     begin();
   }
 
-  int z0_;
+  int y0_, z0_;
+  Bytes own_y_weights_, own_yy_weights_;
   std::size_t most_rows_, rows_;
   Ints n_, y_, yy_, own_yy_, Zn_, ZZn_, Zy_, nc_, ync_, Znc_, ncc_, nnn_;
-  SliceSums totals_[kTotals];
+  alignas(16) std::int64_t totals_[kTotals] = {};
 };
 
 /// The numbers of the runs that balls around a line of the source brick may meet: many rows just touch some balls, and a
@@ -200,7 +225,7 @@ HWY_INLINE Moments moments_of_spel(const CutRuns<3>& runs, std::span<const std::
   const ByteTag tag;
   const LineBalls<3, 1> balls(ball, &bit, at);
   const int x = bit % 8;
-  Accumulator sums(ball.radius(), int(at / 8));
+  Accumulator sums(ball.radius(), bit / 8, at);
   for (std::size_t i = 0; i < middle.size(); sums.make_room())
     for (const std::size_t stop = sums.stop(i, middle.size()); i < stop; ++i) {
       const LineRuns<3>& own = runs.middle[middle[i]];
@@ -230,11 +255,6 @@ void moments_3d(const SourceLists<3, Moments>& lists, const BallRows<3>& ball,
       if (i == 0 || bits[i - 1] / 8 != line) list_met(runs.middle, ball.met(line), middle);
       add(sums[i], moments_of_spel(runs, middle, weights, ball, bits[i], at));
     }
-  }
-  for (std::size_t i = 0; i < bits.size(); ++i) {
-    LatticePoint<3> step = Brick<3>::offset(bits[i]);
-    step[0] = 0;
-    sums[i].move(step);
   }
 }
 
