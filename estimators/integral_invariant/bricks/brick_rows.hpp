@@ -56,9 +56,7 @@ class BrickRows {
     return sum;
   }
 
-  std::size_t memory() const { return runs_.capacity() * sizeof(Run) + row_begin_.capacity() * 8; }
-
- private:
+  /// Adds full bricks of the row of `brick`, from brick `begin` on, without brick `end`.
   static void add_full(Sum& sum, LatticePoint<d> brick, int begin, int end) {
     brick[0] = begin;
     LatticePoint<d> extent;
@@ -67,6 +65,9 @@ class BrickRows {
     add_box(sum, Brick<d>::origin(brick), extent);
   }
 
+  std::size_t memory() const { return runs_.capacity() * sizeof(Run) + row_begin_.capacity() * 8; }
+
+ private:
   LatticeBox<d> box_;
   LatticePoint<d> extent_;
   std::vector<std::size_t> row_begin_;

@@ -86,14 +86,16 @@ HWY_INLINE Bytes all_bytes(int even, int odd) {
 /// y - y0 for y = 0, ..., 7, and its square, as bytes of a word.
 struct LineWeights {
   std::uint64_t y = 0, yy = 0;
-
-  explicit LineWeights(int y0) {
-    for (int y1 = 7; y1 >= 0; --y1) {
-      y = y << 8 | std::uint8_t(y1 - y0);
-      yy = yy << 8 | std::uint8_t((y1 - y0) * (y1 - y0));
-    }
-  }
 };
+constexpr auto kLineWeights = [] {
+  std::array<LineWeights, 8> result;
+  for (int y0 = 0; y0 < 8; ++y0)
+    for (int y = 0; y < 8; ++y) {
+      result[std::size_t(y0)].y |= std::uint64_t((y - y0) & 255) << (8 * y);
+      result[std::size_t(y0)].yy |= std::uint64_t((y - y0) * (y - y0)) << (8 * y);
+    }
+  return result;
+}();
 
 /// The moments of one run in each line of one row after the other: of n points around c / 2 that are
 ///   sum x = n c / 2,  sum x^2 = (3 n c^2 + n^3 - n) / 12.
@@ -104,7 +106,7 @@ class Accumulator {
   /// of at most 2^15 2 (radius + 8).
   Accumulator(int radius, int line, std::size_t at)
       : y0_(line % 8), z0_(int(at / 8) - line / 8), most_rows_(std::min<std::size_t>(90, std::size_t(8192 / (radius + 16)))) {
-    const LineWeights weights(y0_);
+    const LineWeights& weights = kLineWeights[std::size_t(y0_)];
     own_y_weights_ = hn::BitCast(ByteTag(), hn::Set(WordTag(), weights.y));
     own_yy_weights_ = hn::BitCast(ByteTag(), hn::Set(WordTag(), weights.yy));
     begin();

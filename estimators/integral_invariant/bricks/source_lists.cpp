@@ -4,7 +4,7 @@ namespace gridstep::bricks {
 
 namespace {
 
-void extend(std::vector<FullRows>& full, std::uint32_t row) {
+inline void extend(std::vector<FullRows>& full, std::uint32_t row) {
   if (!full.empty() && full.back().end == row)
     ++full.back().end;
   else
@@ -69,6 +69,12 @@ void SourceLists<d, Sum>::build_sides(const BallRows<d>& ball, const BrickRows<d
     const int near = ball_row.near, far = ball_row.reach;
     const auto* run = set.find(row, x - far);
     if (run->begin > x + far) continue;
+    if (is_full(-far, far, run, x)) {
+      extend(left.full, i);
+      extend(right.full, i);
+      if (ball_row.whole) set.add_full(inside, brick, x - near + 1, x + near);
+      continue;
+    }
     const auto behind = [&](int end) {
       while (run->end <= end) ++run;
       return run;
