@@ -10,8 +10,8 @@ namespace {
 
 /// Pages of one row that are not empty; neighbours that are full are one piece.
 struct Piece {
-  int begin, end;  // pages along x
-  bool full;
+  int begin, end;      // pages along x
+  std::int32_t state;  // see DigitalSet::page_state()
 };
 
 template <int d>
@@ -20,11 +20,12 @@ std::vector<Piece> pieces_of(const DigitalSet<d>& set, LatticePoint<d> page, int
   for (page[0] = begin; page[0] < end; ++page[0]) {
     const std::int32_t state = set.page_state(page);
     if (state == DigitalSet<d>::kEmpty) continue;
-    const bool full = state == DigitalSet<d>::kFull;
-    if (full && !pieces.empty() && pieces.back().full && pieces.back().end == page[0])
+    const bool goes_on = state == DigitalSet<d>::kFull && !pieces.empty() && pieces.back().state == state &&
+                         pieces.back().end == page[0];
+    if (goes_on)
       ++pieces.back().end;
     else
-      pieces.push_back({page[0], page[0] + 1, full});
+      pieces.push_back({page[0], page[0] + 1, state});
   }
   return pieces;
 }
@@ -67,14 +68,17 @@ BrickRows<d, Sum>::BrickRows(const DigitalSet<d>& set, const LatticeBox<d>& box)
     LatticePoint<d> brick = start;
     for (const Piece& piece : pieces) {
       const int begin = piece.begin * DigitalSet<d>::kPageSide, end = piece.end * DigitalSet<d>::kPageSide;
-      if (piece.full) {
+      if (piece.state == DigitalSet<d>::kFull) {
         add_full_run(begin, end);
         continue;
       }
-      for (brick[0] = begin; brick[0] < end; ++brick[0]) {
-        const Brick<d>& bits = set.brick(brick);
+      brick[0] = begin;
+      const std::int32_t* state = set.states_in_page(piece.state).data() + DigitalSet<d>::index_in_page(brick);
+      for (; brick[0] < end; ++brick[0], ++state) {
+        if (*state == DigitalSet<d>::kEmpty) continue;
+        const Brick<d>& bits = set.brick_of(*state);
         // A stored brick may have become uniform point by point.
-        const int count = bits.count();
+        const int count = *state == DigitalSet<d>::kFull ? Brick<d>::kBits : bits.count();
         if (count == Brick<d>::kBits) add_full_run(brick[0], brick[0] + 1);
         if (count == 0 || count == Brick<d>::kBits) continue;
         runs_.push_back({brick[0], brick[0] + 1, &bits, sum});
