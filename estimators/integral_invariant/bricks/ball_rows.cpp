@@ -33,13 +33,13 @@ LatticeBox<d> relative_positions(const LatticePoint<d>& offset) {
   return box;
 }
 
-/// Of a row whose first one on a side is `first`: in 3D, sums of 2 x along it shall fit 16 bits.
+/// Of a row whose first one on a side is `first`: in 3D, sums of 2 x along two of its lines shall fit 16 bits.
 template <int d>
 int last_brick(int first) {
   const auto square = [](int bricks) { return bricks * bricks * Lines<d>::kLength * Lines<d>::kLength; };
   int last = std::max(first, 1) + BallRows<d>::kMostBricks - 1;
   if constexpr (d == 3)
-    while (square(last + 1) - square(first) > std::numeric_limits<std::int16_t>::max()) --last;
+    while (square(last + 1) - square(first) > std::numeric_limits<std::int16_t>::max() / 2) --last;
   return last;
 }
 

@@ -72,11 +72,9 @@ std::vector<Sum> BallSums<d, Sum>::eval(const DigitalSet<d>& set, const SpelsByB
       lists.inside.move(Brick<d>::origin(source.brick));
       for (std::size_t k = 0; k < bits.size(); ++k) {
         Modular<Sum> sum = lists.inside;
-        sum.move(Brick<d>::offset(bits[k]));
         add(sum, sums[k]);
-        add(sum, full_rows.middle(lists.middle.full, bits[k]));
-        add(sum, full_rows.right(lists.right.full, bits[k]));
-        add(sum, full_rows.left(lists.left.full, bits[k]));
+        sum.move(Brick<d>::offset(bits[k]));
+        add(sum, full_rows.sum(lists, bits[k]));
         result[source.begin + k] = to_signed(sum);
       }
       visited += std::int64_t(lists.size() * bits.size());

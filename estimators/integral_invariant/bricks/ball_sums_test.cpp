@@ -4,6 +4,8 @@
 #include <tbb/global_control.h>
 
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "estimators/integral_invariant/bricks/ball_rows.hpp"
 #include "estimators/integral_invariant/bricks/targets.hpp"
@@ -112,16 +114,20 @@ TEST(BallRows, HoldEveryBrickOnce) {
   for (const double R : {9.0, 250.0, 500.0}) {
     const BallRows<3> ball({R}, -1);
     int split = 0;
-    for (std::size_t i = 0; i < ball.rows().size(); ++i) {
-      const auto& row = ball.rows()[i];
-      const bool follows = i > 0 && ball.rows()[i - 1].brick == row.brick;
-      split += follows;
-      EXPECT_EQ(row.whole, !follows && row.near > 0);
-      if (follows) EXPECT_EQ(row.near, ball.rows()[i - 1].reach + 1);
+    std::map<std::pair<int, int>, int> reached;  // by rows so far
+    const auto check = [&](const BallRows<3>::Row& row, bool in_middle) {
+      const auto [found, is_first] = reached.try_emplace({row.brick[1], row.brick[2]}, row.reach);
+      split += !is_first;
+      EXPECT_EQ(row.near == 0, in_middle);
+      EXPECT_EQ(row.whole, is_first && row.near > 0);
+      if (!is_first) EXPECT_EQ(row.near, std::exchange(found->second, row.reach) + 1);
       EXPECT_LE(row.near, row.reach);
       EXPECT_LE(row.reach, std::max(row.near, 1) + BallRows<3>::kMostBricks - 1);
-      EXPECT_LE(64 * ((row.reach + 1) * (row.reach + 1) - row.near * row.near), 32767);
-    }
+      EXPECT_LE(64 * ((row.reach + 1) * (row.reach + 1) - row.near * row.near), 16383);
+    };
+    for (const auto& row : ball.middle()) check(row, true);
+    for (const auto& row : ball.sides()) check(row, false);
+    EXPECT_EQ(ball.middle().size() + ball.sides().size(), ball.rows().size());
     EXPECT_EQ(split > 0, R > 9);
   }
 }

@@ -64,7 +64,7 @@ Sum cut_sum(const SourceLists<d, Sum>& lists, const AlignedBall<d>& ball) {
           Brick<d> bits = mixed ? *mixed : kFull;
           if (at[0] >= 0) intersect(bits, ends<true>(widths, from + ball.to_right()));
           if (at[0] <= 0) intersect(bits, ends<false>(widths, from + ball.to_left()));
-          add_brick(sum, bits, LatticePoint<d>(Brick<d>::origin(at) - Brick<d>::offset(ball.bit)));
+          add_brick(sum, bits, Brick<d>::origin(at));
         }
       });
     }

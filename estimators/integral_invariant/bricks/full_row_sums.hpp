@@ -17,16 +17,17 @@ class FullRowSums {
  public:
   explicit FullRowSums(const BallRows<d>& ball);
 
-  Sum middle(const std::vector<FullRows>& rows, int bit) const {
-    return total(rows, middle_.data() + bit / kLength, Lines<d>::kCount);
-  }
-  Sum right(const std::vector<FullRows>& rows, int bit) const { return side(rows, bit / kLength, bit % kLength); }
-  /// The left side is the right one of the mirrored alignment.
-  Sum left(const std::vector<FullRows>& rows, int bit) const {
-    Sum sum = side(rows, bit / kLength, kLength - 1 - bit % kLength - skew_);
-    mirror_x(sum);
-    if (skew_) sum.move(-LatticePoint<d>::Unit(0));
-    return sum;
+  /// What the ball around the spel `bit` has in all of F.
+  Sum sum(const SourceLists<d, Sum>& lists, int bit) const {
+    const int line = bit / kLength, lead = bit % kLength;
+    Sum result;
+    // The left side is the right one of the mirrored alignment.
+    add_rows(result, lists.left.full, &sides_[alignment(line, kLength - 1 - lead - skew_)], kAlignments);
+    mirror_x(result);
+    if (skew_) result.move(-LatticePoint<d>::Unit(0));
+    add_rows(result, lists.right.full, &sides_[alignment(line, lead)], kAlignments);
+    add_rows(result, lists.middle.full, &middle_[std::size_t(line)], Lines<d>::kCount);
+    return result;
   }
   std::size_t memory() const { return (middle_.size() + sides_.size()) * sizeof(Sum); }
 
@@ -36,16 +37,12 @@ class FullRowSums {
 
   /// lead: the spel's position in its line, -1 <= lead < kLength.
   static std::size_t alignment(int line, int lead) { return std::size_t(line * (kLength + 1) + lead + 1); }
-  Sum side(const std::vector<FullRows>& rows, int line, int lead) const {
-    return total(rows, sides_.data() + alignment(line, lead), kAlignments);
-  }
-  static Sum total(const std::vector<FullRows>& rows, const Sum* before, std::size_t alignments) {
-    Sum result;
+  static void add_rows(Sum& sum, const std::vector<FullRows>& rows, const Sum* before,
+                       std::size_t alignments) {
     for (const FullRows& range : rows) {
-      add(result, before[range.end * alignments]);
-      subtract(result, before[range.begin * alignments]);
+      add(sum, before[range.end * alignments]);
+      subtract(sum, before[range.begin * alignments]);
     }
-    return result;
   }
 
   int skew_;

@@ -24,8 +24,8 @@ struct LineRuns {
 template <int d>
 class RowRuns {
  public:
-  /// The middle is counted from this many points left of the source brick.
-  static constexpr int kMiddleOrigin = (BallRows<d>::kMostBricks + 2) * Lines<d>::kLength;
+  /// The middle is counted from this many points left of the source brick: more than it reaches.
+  static constexpr int kMiddleOrigin = 16 * Lines<d>::kLength;
 
   /// All in the lanes from the at-th line of every brick on.
   template <class Sum>

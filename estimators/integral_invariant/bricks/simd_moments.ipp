@@ -47,33 +47,31 @@ HWY_INLINE auto sum_of_pairs(V v) {
   }
 }
 
-/// What depends on where a row of bricks lies: y = 8 Y + 0, ..., 7 and z = 8 Z + 0, ..., 7 in its lines.
+/// What depends on where a row of bricks lies. Its lines are taken in pairs, of y = 8 Y + 2 k and 8 Y + 2 k + 1.
 struct RowWeights {
-  using Pair = std::array<std::int16_t, 2>;
-  std::array<std::int16_t, 4> even_y, odd_y;
-  Pair Z;
-  Pair y, yy, Zn, ZZn, Zy;  // of the number of points, and of their sum of y - 8 Y
-  std::int32_t doubled_base;
+  using Pairs = std::array<std::int16_t, 4>;  // k = 0, ..., 3
+  using Same = std::array<std::int16_t, 2>;
+  Pairs y, yy, Zy;
+  Same Y, Z, ZZ;
+  std::int16_t base;
 
-  explicit RowWeights(const BallRows<3>::Row& row) : doubled_base(2 * row.base()) {
-    const auto pair = [](int a, int b) { return Pair{std::int16_t(a), std::int16_t(b)}; };
+  explicit RowWeights(const BallRows<3>::Row& row) : base(std::int16_t(row.base())) {
     const int own_Y = row.brick[1], own_Z = row.brick[2];
-    for (int i = 0; i < 4; ++i) {
-      even_y[std::size_t(i)] = std::int16_t(8 * own_Y + 2 * i);
-      odd_y[std::size_t(i)] = std::int16_t(8 * own_Y + 2 * i + 1);
+    for (int k = 0; k < 4; ++k) {
+      y[std::size_t(k)] = std::int16_t(8 * own_Y + 2 * k);
+      yy[std::size_t(k)] = std::int16_t(own_Y * (2 * own_Y + k));
+      Zy[std::size_t(k)] = std::int16_t(own_Z * (4 * own_Y + k));
     }
-    Z = pair(own_Z, own_Z);
-    y = pair(8 * own_Y, 1);
-    yy = pair(4 * own_Y * own_Y, own_Y);  // y^2 = 16 (4 Y^2 + Y (y - 8 Y)) + (y - 8 Y)^2
-    Zn = pair(own_Z, 0);
-    ZZn = pair(own_Z * own_Z, 0);
-    Zy = pair(8 * own_Y * own_Z, own_Z);
+    const auto same = [](int a) { return Same{std::int16_t(a), std::int16_t(a)}; };
+    Y = same(own_Y);
+    Z = same(own_Z);
+    ZZ = same(own_Z * own_Z);
   }
 };
-HWY_INLINE Shorts all(const std::array<std::int16_t, 4>& four) {
+HWY_INLINE Shorts all(const RowWeights::Pairs& four) {
   return hn::BitCast(ShortTag(), hn::Set(SumTag(), std::bit_cast<std::int64_t>(four)));
 }
-HWY_INLINE Shorts all(const std::array<std::int16_t, 2>& two) {
+HWY_INLINE Shorts all(const RowWeights::Same& two) {
   return hn::BitCast(ShortTag(), hn::Set(IntTag(), std::bit_cast<std::int32_t>(two)));
 }
 HWY_INLINE Shorts all(int value) {
@@ -83,32 +81,23 @@ HWY_INLINE Bytes all_bytes(int even, int odd) {
   return hn::BitCast(ByteTag(), all(even | odd << 8));
 }
 
-/// y - y0 for y = 0, ..., 7, and its square, as bytes of a word.
-struct LineWeights {
-  std::uint64_t y = 0, yy = 0;
+/// The lines with even y, and those with odd y.
+struct Lines16 {
+  Shorts even, odd;
 };
-constexpr auto kLineWeights = [] {
-  std::array<LineWeights, 8> result;
-  for (int y0 = 0; y0 < 8; ++y0)
-    for (int y = 0; y < 8; ++y) {
-      result[std::size_t(y0)].y |= std::uint64_t((y - y0) & 255) << (8 * y);
-      result[std::size_t(y0)].yy |= std::uint64_t((y - y0) * (y - y0)) << (8 * y);
-    }
-  return result;
-}();
+HWY_INLINE Lines16 split(Bytes v) {
+  return {hn::And(hn::BitCast(ShortTag(), v), all(0xff)), pairs(v, all_bytes(0, 1))};
+}
 
-/// The moments of one run in each line of one row after the other: of n points around c / 2 that are
-///   sum x = n c / 2,  sum x^2 = (3 n c^2 + n^3 - n) / 12.
-/// Positions are taken from a spel in `line` of the source brick.
+/// The moments of one run in each line of one row after the other: of n points from x on, c = 2 x + n, that are
+///   sum x = (n c - n) / 2,  sum x^2 = (3 n c^2 - 6 n c + n^3 + 2 n) / 12.
+/// Positions are taken from the source brick.
 class Accumulator {
  public:
   /// In the lanes from the at-th line of every brick on. An Int adds up four lines of each row: n^3 of at most 168^3, n c^2
-  /// of at most 2^15 2 (radius + 8).
-  Accumulator(int radius, int line, std::size_t at)
-      : y0_(line % 8), z0_(int(at / 8) - line / 8), most_rows_(std::min<std::size_t>(90, std::size_t(8192 / (radius + 16)))) {
-    const LineWeights& weights = kLineWeights[std::size_t(y0_)];
-    own_y_weights_ = hn::BitCast(ByteTag(), hn::Set(WordTag(), weights.y));
-    own_yy_weights_ = hn::BitCast(ByteTag(), hn::Set(WordTag(), weights.yy));
+  /// of at most 2^14 2 (radius + 16). A Short adds up n of two lines.
+  Accumulator(int radius, std::size_t at)
+      : z0_(int(at / 8)), most_rows_(std::min<std::size_t>(90, std::size_t(16384 / (radius + 16)))) {
     begin();
   }
 
@@ -121,50 +110,41 @@ class Accumulator {
   HWY_INLINE void make_room() {
     if (rows_ == most_rows_) spill();
   }
-  /// c = 2 from + n - shift, or with the other sign.
-  template <bool mirrored>
-  HWY_INLINE void add(Bytes n, Bytes from, int shift, const RowWeights& row) {
-    const Shorts one = all(1);
-    const Shorts even_n = hn::And(hn::BitCast(ShortTag(), n), all(0xff)), odd_n = pairs(n, all_bytes(0, 1));
-    const Shorts even_sum = hn::Add(pairs(from, all_bytes(2, 0)), even_n),
-                 odd_sum = hn::Add(pairs(from, all_bytes(0, 2)), odd_n);
-    const Shorts even_c = mirrored ? hn::Sub(all(shift), even_sum) : hn::Sub(even_sum, all(shift)),
-                 odd_c = mirrored ? hn::Sub(all(shift), odd_sum) : hn::Sub(odd_sum, all(shift));
-    const Shorts even_nc = hn::Mul(even_n, even_c), odd_nc = hn::Mul(odd_n, odd_c);
-    const auto of_both = [&](Ints sum, Shorts even, Shorts odd)
-                             HWY_ATTR { return add_pairs(add_pairs(sum, even_nc, even), odd_nc, odd); };
-    nc_ = of_both(nc_, one, one);
-    ync_ = of_both(ync_, all(row.even_y), all(row.odd_y));
-    Znc_ = of_both(Znc_, all(row.Z), all(row.Z));
-    ncc_ = of_both(ncc_, even_c, odd_c);
-    nnn_ = add_pairs(add_pairs(nnn_, hn::Mul(even_n, even_n), even_n), hn::Mul(odd_n, odd_n), odd_n);
+  HWY_INLINE void add(const Lines16& n, const Lines16& c, const RowWeights& row) {
+    const Shorts one = all(1), y = all(row.y), Y = all(row.Y), Z = all(row.Z);
+    const Shorts both_n = hn::Add(n.even, n.odd);
+    n_ = hn::Add(n_, both_n);
+    odd_n_ = hn::Add(odd_n_, n.odd);
+    y_ = add_pairs(y_, both_n, y);
+    yy_ = add_pairs(yy_, both_n, all(row.yy));
+    Zn_ = add_pairs(Zn_, both_n, Z);
+    ZZn_ = add_pairs(ZZn_, both_n, all(row.ZZ));
+    Zy_ = add_pairs(Zy_, both_n, all(row.Zy));
+    odd_Yn_ = add_pairs(odd_Yn_, n.odd, Y);
+    odd_Zn_ = add_pairs(odd_Zn_, n.odd, Z);
+    nnn_ = add_pairs(add_pairs(nnn_, hn::Mul(n.even, n.even), n.even), hn::Mul(n.odd, n.odd), n.odd);
 
-    const Ints own_n = pairs(pairs(n, all_bytes(1, 1)), one), own_y = pairs(pairs(n, own_y_weights_), one);
-    n_ = hn::Add(n_, own_n);
-    own_yy_ = add_pairs(own_yy_, pairs(n, own_yy_weights_), one);
-    const Shorts both = hn::BitCast(ShortTag(), hn::Or(own_n, hn::ShiftLeft<16>(own_y)));
-    y_ = add_pairs(y_, both, all(row.y));
-    yy_ = add_pairs(yy_, both, all(row.yy));
-    Zn_ = add_pairs(Zn_, both, all(row.Zn));
-    ZZn_ = add_pairs(ZZn_, both, all(row.ZZn));
-    Zy_ = add_pairs(Zy_, both, all(row.Zy));
+    const Shorts even_nc = hn::Mul(n.even, c.even), odd_nc = hn::Mul(n.odd, c.odd), both_nc = hn::Add(even_nc, odd_nc);
+    nc_ = add_pairs(nc_, both_nc, one);
+    odd_nc_ = add_pairs(odd_nc_, odd_nc, one);
+    ync_ = add_pairs(ync_, both_nc, y);
+    Znc_ = add_pairs(Znc_, both_nc, Z);
+    ncc_ = add_pairs(add_pairs(ncc_, even_nc, c.even), odd_nc, c.odd);
   }
   HWY_INLINE Moments sums() {
     spill();
-    const auto total = [&](std::size_t i) { return std::uint64_t(totals_[i]); };
-    const std::uint64_t xy = total(kXY) - total(kX) * std::uint64_t(y0_);  // still doubled
-    return {total(kN),
-            {half(total(kX)), total(kY), total(kZ)},
-            {std::uint64_t((totals_[kXX] - totals_[kN]) / 12), half(xy), half(total(kXZ)), total(kYY), total(kYZ),
-             total(kZZ)}};
+    const auto& [n, nc, y, z, cubes, ync, znc, yy, yz, zz] = totals_;
+    const auto number = [](std::int64_t v) { return std::uint64_t(v); };
+    return {number(n),
+            {number((nc - n) / 2), number(y), number(z)},
+            {number((cubes - 6 * nc + 2 * n) / 12), number((ync - y) / 2), number((znc - z) / 2), number(yy), number(yz),
+             number(zz)}};
   }
 
  private:
-  enum { kN, kX, kY, kZ, kXX, kXY, kXZ, kYY, kYZ, kZZ, kTotals };
-
-  static std::uint64_t half(std::uint64_t even) { return std::uint64_t(std::int64_t(even) / 2); }
   HWY_INLINE void begin() {
-    n_ = y_ = yy_ = own_yy_ = Zn_ = ZZn_ = Zy_ = nc_ = ync_ = Znc_ = ncc_ = nnn_ = hn::Zero(IntTag());
+    n_ = odd_n_ = hn::Zero(ShortTag());
+    y_ = yy_ = Zn_ = ZZn_ = Zy_ = odd_Yn_ = odd_Zn_ = nc_ = odd_nc_ = ync_ = Znc_ = ncc_ = nnn_ = hn::Zero(IntTag());
     rows_ = 0;
   }
   HWY_INLINE void add_to_totals(std::size_t i, SliceSums a, SliceSums b) {
@@ -172,26 +152,31 @@ class Accumulator {
     const hn::DFromV<decltype(both)> tag;
     hn::Store(hn::Add(hn::Load(tag, &totals_[i]), both), tag, &totals_[i]);
   }
-  /// Before a sum may leave 32 bits.
+  /// Before a sum may leave its bits. With N points in a pair of lines, O of them on its odd line,
+  ///   sum y = (8 Y + 2 k) N + O,  sum y^2 = 32 Y (2 Y + k) N + 16 Y O + 4 k^2 N + (4 k + 1) O.
   HWY_INLINE void spill() {
+    static constexpr RowWeights::Pairs k4k{0, 4, 16, 36}, k4k1{1, 5, 9, 13};
+    const Shorts one = all(1);
     const SliceSums z = hn::Iota(SumTag(), z0_);
-    const SliceSums n = slices(n_), y = slices(y_), nc = slices(nc_), Zn = hn::ShiftLeft<3>(slices(Zn_)),
-                    zn = times(n, z), ncc = slices(ncc_);
-    add_to_totals(kN, n, nc);
-    add_to_totals(kY, y, hn::Add(Zn, zn));
-    add_to_totals(kXX, hn::Add(hn::Add(ncc, hn::Add(ncc, ncc)), slices(nnn_)), slices(ync_));
-    add_to_totals(kXZ, hn::Add(hn::ShiftLeft<3>(slices(Znc_)), times(nc, z)),
-                  hn::Add(hn::ShiftLeft<4>(slices(yy_)), slices(own_yy_)));
-    add_to_totals(kYZ, hn::Add(hn::ShiftLeft<3>(slices(Zy_)), times(y, z)),
+    const SliceSums n = slices(pairs(n_, one)), odd_n = slices(pairs(odd_n_, one)), y = hn::Add(slices(y_), odd_n),
+                    Zn = hn::ShiftLeft<3>(slices(Zn_)), zn = times(n, z), nc = slices(nc_), ncc = slices(ncc_);
+    add_to_totals(0, n, nc);
+    add_to_totals(2, y, hn::Add(Zn, zn));
+    add_to_totals(4, hn::Add(hn::Add(ncc, hn::Add(ncc, ncc)), slices(nnn_)), hn::Add(slices(ync_), slices(odd_nc_)));
+    add_to_totals(6, hn::Add(hn::ShiftLeft<3>(slices(Znc_)), times(nc, z)),
+                  hn::Add(hn::Add(hn::ShiftLeft<5>(slices(yy_)), hn::ShiftLeft<4>(slices(odd_Yn_))),
+                          slices(add_pairs(pairs(n_, all(k4k)), odd_n_, all(k4k1)))));
+    add_to_totals(8,
+                  hn::Add(hn::Add(hn::ShiftLeft<4>(slices(Zy_)), hn::ShiftLeft<3>(slices(odd_Zn_))), times(y, z)),
                   hn::Add(hn::ShiftLeft<6>(slices(ZZn_)), times(hn::Add(hn::Add(Zn, Zn), zn), z)));
     begin();
   }
 
-  int y0_, z0_;
-  Bytes own_y_weights_, own_yy_weights_;
+  int z0_;
   std::size_t most_rows_, rows_;
-  Ints n_, y_, yy_, own_yy_, Zn_, ZZn_, Zy_, nc_, ync_, Znc_, ncc_, nnn_;
-  alignas(16) std::int64_t totals_[kTotals] = {};
+  Shorts n_, odd_n_;
+  Ints y_, yy_, Zn_, ZZn_, Zy_, odd_Yn_, odd_Zn_, nc_, odd_nc_, ync_, Znc_, ncc_, nnn_;
+  alignas(16) std::array<std::int64_t, 10> totals_{};  // in the order in which sums() names them
 };
 
 /// The numbers of the runs that balls around a line of the source brick may meet: many rows just touch some balls, and a
@@ -206,28 +191,58 @@ void list_met(const RowRuns<3>& runs, const std::uint8_t* met, std::vector<std::
   result.resize(size);
 }
 
-/// On one side, where c = 2 from + n - shift + 2 base, mirrored on the left.
+/// 2 x + n or 2 x - n at the fixed end of each run of a side, for n = 0.
+struct alignas(64) FixedEnds {
+  std::array<std::int16_t, hn::MaxLanes(ShortTag())> even, odd;
+};
+
 template <bool mirrored>
-HWY_INLINE void add_side(Accumulator& sums, const RowRuns<3>& side, std::span<const RowWeights> weights,
-                         const LineBalls<3, 1>& balls, Bytes to, int shift) {
+void list_fixed_ends(const RowRuns<3>& side, std::span<const RowWeights> weights, std::vector<FixedEnds>& result) {
+  const ShortTag tag;
+  result.resize(side.size());
+  for (std::size_t k = 0; k < side.size(); ++k) {
+    const Bytes from = hn::Load(ByteTag(), side[k].begin.data());
+    const Shorts even = pairs(from, all_bytes(2, 0)), odd = pairs(from, all_bytes(0, 2)),
+                 base = all(2 * weights[side.row(k)].base);
+    const auto end = [&](Shorts v) HWY_ATTR { return mirrored ? hn::Sub(hn::Sub(all(16), base), v) : hn::Add(base, v); };
+    hn::Store(end(even), tag, result[k].even.data());
+    hn::Store(end(odd), tag, result[k].odd.data());
+  }
+}
+
+/// What the balls around the spels of a source brick may cut, and what does not depend on the spel.
+struct CutMoments {
+  CutRuns<3> runs;
+  std::vector<RowWeights> weights;
+  std::vector<std::uint32_t> middle;  // what list_met() gives for the line at hand
+  std::vector<FixedEnds> right, left;
+};
+
+template <bool mirrored>
+HWY_INLINE void add_side(Accumulator& sums, const RowRuns<3>& side, std::span<const FixedEnds> fixed,
+                         std::span<const RowWeights> weights, const LineBalls<3, 1>& balls, Bytes to) {
   const ByteTag tag;
+  const ShortTag short_tag;
   for (std::size_t k = 0; k < side.size(); sums.make_room())
     for (const std::size_t stop = sums.stop(k, side.size()); k < stop; ++k) {
       const std::uint32_t row = side.row(k);
-      const Bytes from = hn::Load(tag, side[k].begin.data());
-      const Bytes length = hn::Min(hn::SaturatedSub(hn::SaturatedSub(balls.width(row), from), to),
-                                   hn::Load(tag, side[k].end_or_length.data()));
-      sums.add<mirrored>(length, from, shift - weights[row].doubled_base, weights[row]);
+      const Lines16 n = split(
+          hn::Min(hn::SaturatedSub(hn::SaturatedSub(balls.width(row), hn::Load(tag, side[k].begin.data())), to),
+                  hn::Load(tag, side[k].end_or_length.data())));
+      const Shorts even = hn::Load(short_tag, fixed[k].even.data()), odd = hn::Load(short_tag, fixed[k].odd.data());
+      if constexpr (mirrored)
+        sums.add(n, {hn::Sub(even, n.even), hn::Sub(odd, n.odd)}, weights[row]);
+      else
+        sums.add(n, {hn::Add(even, n.even), hn::Add(odd, n.odd)}, weights[row]);
     }
 }
 
-HWY_INLINE Moments moments_of_spel(const CutRuns<3>& runs, std::span<const std::uint32_t> middle,
-                                   std::span<const RowWeights> weights, const BallRows<3>& ball, std::uint16_t bit,
-                                   std::size_t at) {
+HWY_INLINE Moments moments_of_spel(const CutMoments& cut, const BallRows<3>& ball, std::uint16_t bit, std::size_t at) {
+  static_assert(RowRuns<3>::kMiddleOrigin == 128);
   const ByteTag tag;
   const LineBalls<3, 1> balls(ball, &bit, at);
-  const int x = bit % 8;
-  Accumulator sums(ball.radius(), bit / 8, at);
+  const auto& [runs, weights, middle, right, left] = cut;
+  Accumulator sums(ball.radius(), at);
   for (std::size_t i = 0; i < middle.size(); sums.make_room())
     for (const std::size_t stop = sums.stop(i, middle.size()); i < stop; ++i) {
       const LineRuns<3>& own = runs.middle[middle[i]];
@@ -235,27 +250,29 @@ HWY_INLINE Moments moments_of_spel(const CutRuns<3>& runs, std::span<const std::
       const Bytes width = balls.width(row);
       const Bytes from = hn::Max(hn::Load(tag, own.begin.data()), hn::Sub(balls.left_end[0], width)),
                   to = hn::Min(hn::Load(tag, own.end_or_length.data()), hn::Add(width, balls.right_end[0]));
-      sums.add<false>(hn::SaturatedSub(to, from), from, 1 + 2 * (RowRuns<3>::kMiddleOrigin + x), weights[row]);
+      const Lines16 n = split(hn::SaturatedSub(to, from));
+      const Bytes x = hn::Xor(from, all_bytes(128, 128));  // signed
+      sums.add(n, {hn::Add(pairs(all_bytes(2, 0), x), n.even), hn::Add(pairs(all_bytes(0, 2), x), n.odd)}, weights[row]);
     }
-  add_side<false>(sums, runs.right, weights, balls, balls.to_right[0], 1 + 2 * x);
-  add_side<true>(sums, runs.left, weights, balls, balls.to_left[0], 15 - 2 * x);
+  add_side<false>(sums, runs.right, right, weights, balls, balls.to_right[0]);
+  add_side<true>(sums, runs.left, left, weights, balls, balls.to_left[0]);
   return sums.sums();
 }
 
 void moments_3d(const SourceLists<3, Moments>& lists, const BallRows<3>& ball,
                 std::span<const std::uint16_t> bits, Moments* sums) {
-  thread_local CutRuns<3> runs;
-  thread_local std::vector<RowWeights> weights;
-  thread_local std::vector<std::uint32_t> middle;
-  weights.clear();
-  for (const auto& row : ball.rows()) weights.emplace_back(row);
+  thread_local CutMoments cut;
+  cut.weights.clear();
+  for (const auto& row : ball.rows()) cut.weights.emplace_back(row);
   std::fill(sums, sums + bits.size(), Moments{});
   for (std::size_t at = 0; at < 64; at += hn::Lanes(ByteTag())) {
-    runs.list(lists, ball, at);
+    cut.runs.list(lists, ball, at);
+    list_fixed_ends<false>(cut.runs.right, cut.weights, cut.right);
+    list_fixed_ends<true>(cut.runs.left, cut.weights, cut.left);
     for (std::size_t i = 0; i < bits.size(); ++i) {
       const int line = bits[i] / 8;
-      if (i == 0 || bits[i - 1] / 8 != line) list_met(runs.middle, ball.met(line), middle);
-      add(sums[i], moments_of_spel(runs, middle, weights, ball, bits[i], at));
+      if (i == 0 || bits[i - 1] / 8 != line) list_met(cut.runs.middle, ball.met(line), cut.middle);
+      add(sums[i], moments_of_spel(cut, ball, bits[i], at));
     }
   }
 }

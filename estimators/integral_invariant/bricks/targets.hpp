@@ -10,7 +10,7 @@
 namespace gridstep::bricks {
 
 /// The inner loops, compiled for one kind of processor: the sums over E for the balls around the spels `bits` of a
-/// source brick, in increasing order; positions taken from the spel.
+/// source brick, in increasing order; positions taken from the brick.
 template <int d, class Sum>
 using CutSums = void (*)(const SourceLists<d, Sum>& lists, const BallRows<d>& ball,
                          std::span<const std::uint16_t> bits, Sum* sums);
