@@ -120,7 +120,9 @@ TEST(BallRows, HoldEveryBrickOnce) {
       split += !is_first;
       EXPECT_EQ(row.near == 0, in_middle);
       EXPECT_EQ(row.whole, is_first && row.near > 0);
-      if (!is_first) EXPECT_EQ(row.near, std::exchange(found->second, row.reach) + 1);
+      if (!is_first) {
+        EXPECT_EQ(row.near, std::exchange(found->second, row.reach) + 1);
+      }
       EXPECT_LE(row.near, row.reach);
       EXPECT_LE(row.reach, std::max(row.near, 1) + BallRows<3>::kMostBricks - 1);
       EXPECT_LE(64 * ((row.reach + 1) * (row.reach + 1) - row.near * row.near), 16383);
