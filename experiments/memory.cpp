@@ -43,7 +43,7 @@ double predicted_set_memory(const RealBox<d>& bounds, GridStep h) {
 }
 
 double predicted_surfel_memory(bool moments) {
-  return moments ? 600 : 200;
+  return moments ? 440 : 180;
 }
 
 template <int d>
@@ -52,8 +52,10 @@ double predicted_table_memory(const EstimatorEntry::Variant<d>& variant, Digital
   const double r = radius.value, pi = std::numbers::pi;
   if (evaluation == Evaluation::bricks && variant.table_memory) return variant.table_memory(radius);
   const bool moments = d == 3 && variant.quantities.size() > 1;
-  // Half-widths for each line of the ball and their prefix sums, for all alignments.
-  if (evaluation == Evaluation::bricks) return (d == 2 ? 1200 * r : (moments ? 3000 : 500) * r * r) + 0x1p16;
+  // Half-widths for each line of the ball and their prefix sums, for all alignments; in balls of R/h > 300 most rows of
+  // bricks are split.
+  if (evaluation == Evaluation::bricks)
+    return (d == 2 ? 1200 * r : (moments ? 10 : 1.7) * std::max(300.0, r) * r * r) + 0x1p16;
   const double kernel = (d == 2 ? pi * r * r : 4 * pi / 3 * r * r * r) * 16;
   const double masks = evaluation == Evaluation::full ? 0 : (d == 2 ? 8 * 5 * r : 231 * r * r) * 16;
   const double dense_kernel = evaluation == Evaluation::full ? 0 : 8 * std::pow(2 * r + 5, d);

@@ -65,20 +65,36 @@ TEST_P(OnTarget, BrickSumsEqualTheFullKernelForLargeBalls) {
 
 TEST_P(OnTarget, BrickSumsOfNearlyFullBricksFitTheirCounters) {
   // Every brick is mixed and has as many points as it may: a hole each.
-  RandomSet<3> one{DigitalSet<3>({LatticePoint<3>::Constant(-48), LatticePoint<3>::Constant(55)}),
+  RandomSet<3> one{DigitalSet<3>({LatticePoint<3>::Constant(-168), LatticePoint<3>::Constant(175)}),
                    {{0, 0, 0}, {4, 3, 7}, {7, 7, 7}},
                    "holes"};
-  for_each_point(one.set.domain(), [&](const LatticePoint<3>& z) {
-    if (z != Brick<3>::origin(Brick<3>::of(z))) one.set.set(z, true);
-  });
-  expect_equal_to_full<Count3>({{40}, -1}, one);
-  expect_equal_to_full<Moments3>({{40}, -1}, one);
+  Brick<3> nearly_full = Brick<3>::full();
+  nearly_full.set(0, false);
+  for_each_point(one.set.brick_box(),
+                 [&](const LatticePoint<3>& brick) { one.set.set_brick(brick, nearly_full); });
+  // As many bricks in a row, and as many rows, as there may be.
+  constexpr int R = 160;
+  const auto counts = brick_sums(BallSums<3, Count3>({R}, -1), one);
+  const auto moments = brick_sums(BallSums<3, Moments3>({R}, -1), one);
+  for (std::size_t i = 0; i < moments.size(); ++i) {
+    Moments3 expected;
+    for (int z = -R; z <= R; ++z)
+      for (int y = -R; y <= R; ++y) {
+        const int rest = R * R - y * y - z * z, most = rest < 0 ? -1 : int(std::sqrt(double(rest)));
+        for (int x = -most; x <= most; ++x) {
+          const LatticePoint<3> point = one.spels[i] + LatticePoint<3>(x, y, z);
+          if (((point[0] | point[1] | point[2]) & 7) != 0) expected.add(1, {x, y, z});
+        }
+      }
+    EXPECT_TRUE(moments[i] == expected) << "spel " << i;
+    EXPECT_EQ(counts[i].n, expected.n);
+  }
 }
 
 TEST_P(OnTarget, BrickSumsAreThoseOfTheDefinitionForHugeBalls) {
-  // Where rows have so many bricks on a side that other rows follow them: near the poles; and where the ball is as steep
-  // as the rows. It passed for R/h = 500 and 700 too, with tables that take minutes.
-  constexpr double R = 250.3;
+  // Where rows have so many bricks on a side that other rows follow them: near the poles, the ball's own or full ones; and
+  // where the ball is as steep as the rows.
+  constexpr double R = 246.9;
   for (const int half_axis : {-1, 0}) {
     const BallSums<3, Moments3> moment_balls({R}, half_axis);
     const BallSums<3, Count3> count_balls({R}, half_axis);
@@ -215,6 +231,22 @@ TEST(BrickSums, AreTheSameForAnyNumberOfThreads) {
   const auto [four, visited_by_four] = run(4);
   EXPECT_EQ(visited_by_one, visited_by_four);
   EXPECT_TRUE(one == four);
+}
+
+TEST(BrickSums, AreThoseOfTheirSurfelsBatchByBatch) {
+  const auto set = ball_set<3>(110);
+  const auto surfels = boundary(set);
+  ASSERT_GT(surfels.size(), (std::size_t{16} << 20) / sizeof(Moments3));
+  const auto run = [&](Evaluation evaluation) {
+    SurfelSums<3, Moments3> sums(set, {evaluation, KernelCentre::spels});
+    sums.init({1}, {2});
+    std::vector<std::pair<Moments3, Moments3>> pairs(surfels.size());
+    sums.eval(surfels, [&](std::size_t i, const Moments3& inner, const Moments3& outer) {
+      pairs[i] = {inner, outer};
+    });
+    return pairs;
+  };
+  EXPECT_TRUE(run(Evaluation::bricks) == run(Evaluation::masks));
 }
 
 TEST(BrickSums, VisitFewBricks) {

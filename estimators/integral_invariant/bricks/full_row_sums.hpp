@@ -9,7 +9,8 @@
 namespace gridstep::bricks {
 
 /// What a ball has in full rows of bricks, for every alignment: prefix sums over the rows of the middle, and over what the
-/// others hold beyond their whole bricks, to one side of the source brick. Positions are taken from the spel.
+/// others hold beyond their whole bricks, to one side of the source brick. Positions are taken from the spel. Rows of the
+/// middle that others may follow (reach = kMostBricks) are not to be asked for: their points are not all their own.
 ///
 /// Memory: 64 (2D: 8) sums for each row of the middle, 576 (2D: 520) for each other one.
 template <int d, class Sum>

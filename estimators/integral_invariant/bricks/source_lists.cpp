@@ -43,7 +43,7 @@ void SourceLists<d, Sum>::build_middle(const BallRows<d>& ball, const BrickRows<
     if (row.empty()) continue;
     const int far = ball_row.reach;
     const auto* run = set.find(row, x - far);
-    // Only of a row that no other follows are all points in the table.
+    // A row that others may follow does not hold all that the table has of it.
     if (far < BallRows<d>::kMostBricks && is_full(-far, far, run, x))
       extend(middle.full, i);
     else
