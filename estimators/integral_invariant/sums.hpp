@@ -46,7 +46,7 @@ struct MomentSums {
     for (int i = 0, pair = 0; i < d; ++i)
       for (int j = i; j < d; ++j)
         second[pair++] +=
-            n * Value(step[i] * step[j]) - first[i] * Value(step[j]) - first[j] * Value(step[i]);
+            n * Value(step[i]) * Value(step[j]) - first[i] * Value(step[j]) - first[j] * Value(step[i]);
     for (int i = 0; i < d; ++i) first[i] -= n * Value(step[i]);
   }
   friend bool operator==(const MomentSums&, const MomentSums&) = default;

@@ -81,11 +81,11 @@ HWY_INLINE Bytes all_bytes(int even, int odd) {
   return hn::BitCast(ByteTag(), all(even | odd << 8));
 }
 
-/// The lines with even y, and those with odd y.
-struct Lines16 {
+/// A number for each line, of those with even y and of those with odd y.
+struct EvenOdd {
   Shorts even, odd;
 };
-HWY_INLINE Lines16 split(Bytes v) {
+HWY_INLINE EvenOdd split(Bytes v) {
   return {hn::And(hn::BitCast(ShortTag(), v), all(0xff)), pairs(v, all_bytes(0, 1))};
 }
 
@@ -110,7 +110,7 @@ class Accumulator {
   HWY_INLINE void make_room() {
     if (rows_ == most_rows_) spill();
   }
-  HWY_INLINE void add(const Lines16& n, const Lines16& c, const RowWeights& row) {
+  HWY_INLINE void add(const EvenOdd& n, const EvenOdd& c, const RowWeights& row) {
     const Shorts one = all(1), y = all(row.y), Y = all(row.Y), Z = all(row.Z);
     const Shorts both_n = hn::Add(n.even, n.odd);
     n_ = hn::Add(n_, both_n);
@@ -226,7 +226,7 @@ HWY_INLINE void add_side(Accumulator& sums, const RowRuns<3>& side, std::span<co
   for (std::size_t k = 0; k < side.size(); sums.make_room())
     for (const std::size_t stop = sums.stop(k, side.size()); k < stop; ++k) {
       const std::uint32_t row = side.row(k);
-      const Lines16 n = split(
+      const EvenOdd n = split(
           hn::Min(hn::SaturatedSub(hn::SaturatedSub(balls.width(row), hn::Load(tag, side[k].begin.data())), to),
                   hn::Load(tag, side[k].end_or_length.data())));
       const Shorts even = hn::Load(short_tag, fixed[k].even.data()), odd = hn::Load(short_tag, fixed[k].odd.data());
@@ -250,7 +250,7 @@ HWY_INLINE Moments moments_of_spel(const CutMoments& cut, const BallRows<3>& bal
       const Bytes width = balls.width(row);
       const Bytes from = hn::Max(hn::Load(tag, own.begin.data()), hn::Sub(balls.left_end[0], width)),
                   to = hn::Min(hn::Load(tag, own.end_or_length.data()), hn::Add(width, balls.right_end[0]));
-      const Lines16 n = split(hn::SaturatedSub(to, from));
+      const EvenOdd n = split(hn::SaturatedSub(to, from));
       const Bytes x = hn::Xor(from, all_bytes(128, 128));  // signed
       sums.add(n, {hn::Add(pairs(all_bytes(2, 0), x), n.even), hn::Add(pairs(all_bytes(0, 2), x), n.odd)}, weights[row]);
     }
