@@ -191,7 +191,7 @@ void list_met(const RowRuns<3>& runs, const std::uint8_t* met, std::vector<std::
   result.resize(size);
 }
 
-/// 2 x + n or 2 x - n at the fixed end of each run of a side, for n = 0.
+/// 2 x at the end of each run of a side that no ball cuts: c - n, or c + n on the left.
 struct alignas(64) FixedEnds {
   std::array<std::int16_t, hn::MaxLanes(ShortTag())> even, odd;
 };

@@ -4,7 +4,7 @@ namespace gridstep::bricks {
 
 namespace {
 
-inline void extend(std::vector<FullRows>& full, std::uint32_t row) {
+void extend(std::vector<FullRows>& full, std::uint32_t row) {
   if (!full.empty() && full.back().end == row)
     ++full.back().end;
   else
