@@ -86,8 +86,10 @@ BallRows<d>::BallRows(DigitalLength radius, int half_axis) : skew_(half_axis == 
     });
     if (2 * most + 1 - skew_ <= 0) return;
     const int near = (least + 1 - skew_) / kLength, reach = (most + kLength - 1) / kLength;
+    const std::size_t head = rows_.size();
     for (int first = near; first <= reach; first = rows_.back().reach + 1)
       rows_.push_back({brick, first, std::min(reach, last_brick<d>(first)), first == near && near > 0});
+    if (near > 0) rows_[head].parts = int(rows_.size() - head);
   });
 
   const auto sides =
@@ -99,11 +101,11 @@ BallRows<d>::BallRows(DigitalLength radius, int half_axis) : skew_(half_axis == 
   for (int line = 0; line < Lines<d>::kCount; ++line)
     for (std::size_t row = 0; row < rows_.size(); ++row)
       for (int other = 0; other < Lines<d>::kCount; ++other) {
-        const auto& [brick, near, reach, _] = rows_[row];
-        const LatticePoint<d> z =
-            Brick<d>::origin(brick) + Brick<d>::offset(other * kLength) - Brick<d>::offset(line * kLength);
+        const Row& own = rows_[row];
+        const LatticePoint<d> z = Brick<d>::origin(own.brick) + Brick<d>::offset(other * kLength) -
+                                  Brick<d>::offset(line * kLength);
         const int width =
-            std::clamp(half_width(z) + kLength - rows_[row].base(), 0, (reach + 2 - near) * kLength);
+            std::clamp(half_width(z) + kLength - own.base(), 0, (own.reach + 2 - own.near) * kLength);
         const std::size_t at = std::size_t(line) * rows_.size() + row;
         widths_[at].of[std::size_t(other)] = typename Lines<d>::Width(width);
         met_[at] |= half_width(z) >= skew_;

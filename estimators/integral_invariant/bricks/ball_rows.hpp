@@ -41,7 +41,8 @@ class BallRows {
     LatticePoint<d> brick;  ///< offset from the source brick; 0 along x
     /// A ball boundary may cross bricks |x| = near to reach: one at each end, where near = 0 both in one brick.
     int near, reach;
-    bool whole;  ///< whether bricks |x| < near are inside every ball; else another row holds them
+    bool whole;     ///< whether bricks |x| < near are inside every ball; else another row holds them
+    int parts = 1;  ///< of a whole row: so many successive ones, this one the first, hold its ends
 
     int base() const { return near * Lines<d>::kLength; }
   };

@@ -70,9 +70,11 @@ std::vector<Sum> BallSums<d, Sum>::eval(const DigitalSet<d>& set, const SpelsByB
       sums.resize(bits.size());
       cut_sums(lists, ball, bits, sums.data());
       lists.inside.move(Brick<d>::origin(source.brick));
+      const auto surplus = full_rows.surplus(lists);
       for (std::size_t k = 0; k < bits.size(); ++k) {
         Modular<Sum> sum = lists.inside;
         add(sum, sums[k]);
+        subtract(sum, surplus.of(bits[k]));
         sum.move(Brick<d>::offset(bits[k]));
         add(sum, full_rows.sum(lists, bits[k]));
         result[source.begin + k] = to_signed(sum);

@@ -53,7 +53,7 @@ template <int d, class Sum>
 Sum cut_sum(const SourceLists<d, Sum>& lists, const AlignedBall<d>& ball) {
   static const Brick<d> kFull = Brick<d>::full();
   Sum sum;
-  for (const auto* parts : {&lists.middle, &lists.right, &lists.left})
+  for (const auto* parts : {&lists.rows, &lists.right, &lists.left})
     for (const CutRow<d, Sum>& part : parts->cut) {
       const auto& row = ball.ball->rows()[part.row];
       const Widths<d>& widths = ball.widths()[part.row];

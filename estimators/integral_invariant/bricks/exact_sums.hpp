@@ -70,6 +70,18 @@ inline void add_stretch(Moments& sum, const LatticePoint<3>& first, std::int64_t
   add(sum, {s.n, {s.x, y * s.n, z * s.n}, {s.xx, y * s.x, z * s.x, y * y * s.n, y * z * s.n, z * z * s.n}});
 }
 
+/// The points of a plane x = 0, again for every x of a stretch.
+template <int d>
+Counts<d> extruded(const Counts<d>& plane, const Stretch& x) {
+  return {plane.n * x.n};
+}
+inline Moments extruded(const Moments& plane, const Stretch& x) {
+  const auto& [n, first, second] = plane;
+  return {n * x.n,
+          {n * x.x, first[1] * x.n, first[2] * x.n},
+          {n * x.xx, first[1] * x.x, first[2] * x.x, second[3] * x.n, second[4] * x.n, second[5] * x.n}};
+}
+
 /// Adds all points of a box.
 template <int d>
 void add_box(Counts<d>& sum, const LatticePoint<d>&, const LatticePoint<d>& extent) {

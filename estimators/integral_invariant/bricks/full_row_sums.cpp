@@ -7,36 +7,74 @@ namespace gridstep::bricks {
 template <int d, class Sum>
 FullRowSums<d, Sum>::FullRowSums(const BallRows<d>& ball)
     : skew_(ball.skew()),
-      middle_(Lines<d>::kCount * (ball.middle().size() + 1)),
-      sides_(kAlignments * (ball.sides().size() + 1)) {
+      rows_(Lines<d>::kCount * (ball.rows().size() + 1)),
+      sides_(Lines<d>::kCount * (ball.sides().size() + 1)),
+      up_to_sides_(ball.sides().size() + 1),
+      planes_(ball.sides().size() + 1) {
   for (int line = 0; line < Lines<d>::kCount; ++line) {
-    const auto first_of = [line](const typename BallRows<d>::Row& row, int x, int other) {
-      LatticePoint<d> first = Brick<d>::origin(row.brick) + Brick<d>::offset(other * kLength) - Brick<d>::offset(line * kLength);
-      first[0] = x;
-      return first;
-    };
     const auto* widths = ball.widths(line);
-    Sum sum;
-    for (std::size_t i = 0; i < ball.middle().size(); ++i, ++widths) {
+    /// Adds a stretch of each line of a row, the one that begin_and_end(width) says, x counted from the spel.
+    const auto add_lines = [&](Sum& sum, std::size_t row, auto begin_and_end) {
       for (int other = 0; other < Lines<d>::kCount; ++other) {
-        const int end = int(widths->of[std::size_t(other)]) - kLength + 1, begin = skew_ - end + 1;
-        if (begin < end) add_stretch(sum, first_of(ball.middle()[i], begin, other), end - begin);
+        const auto [begin, end] = begin_and_end(int(widths[row].of[std::size_t(other)]));
+        LatticePoint<d> first = Brick<d>::origin(ball.rows()[row].brick) + Brick<d>::offset(other * kLength) -
+                                Brick<d>::offset(line * kLength);
+        first[0] = begin;
+        if (begin < end) add_stretch(sum, first, end - begin);
       }
-      middle_[(i + 1) * Lines<d>::kCount + std::size_t(line)] = sum;
-    }
-    for (int lead = -1; lead < kLength; ++lead) {
-      sum = {};
-      for (std::size_t i = 0; i < ball.sides().size(); ++i) {
-        const auto& row = ball.sides()[i];
-        const int from = kLength - 1 - lead, most = (row.reach + 1 - row.near) * kLength;
-        for (int other = 0; other < Lines<d>::kCount; ++other) {
-          const int length = std::min(int(widths[i].of[std::size_t(other)]) - from, most);
-          if (length > 0) add_stretch(sum, first_of(row, row.base() - lead, other), length);
-        }
-        sides_[(i + 1) * kAlignments + alignment(line, lead)] = sum;
+    };
+    Sum rows, sides;
+    for (std::size_t i = 0; i < ball.rows().size(); ++i) {
+      const auto& row = ball.rows()[i];
+      if (i < ball.middle().size()) {
+        add_lines(rows, i, [&](int width) {
+          const int end = width - kLength + 1;
+          return std::pair(skew_ - end + 1, end);
+        });
+      } else {
+        Sum side;
+        const int begin = row.base() - kLength + 1, most = (row.reach + 1 - row.near) * kLength;
+        add_lines(side, i,
+                  [&](int width) { return std::pair(row.whole ? 1 : begin, begin + std::min(width, most)); });
+        add(sides, side);
+        add(rows, side);
+        mirror_x(side);
+        if (skew_) side.move(-LatticePoint<d>::Unit(0));
+        add(rows, side);
+        if (row.whole && !skew_) add_lines(rows, i, [](int) { return std::pair(0, 1); });
+        sides_[(i - ball.middle().size() + 1) * Lines<d>::kCount + std::size_t(line)] = sides;
       }
+      rows_[(i + 1) * Lines<d>::kCount + std::size_t(line)] = rows;
     }
   }
+  Sum bricks, plane;
+  for (std::size_t i = 0; i < ball.sides().size(); ++i) {
+    const auto& row = ball.sides()[i];
+    const LatticePoint<d> first = Brick<d>::origin(row.brick);
+    LatticePoint<d> extent;
+    for (int k = 0; k < d; ++k) extent[k] = Brick<d>::extent(k);
+    if (row.whole) {
+      extent[0] = row.base();
+      add_box(bricks, first, extent);
+      extent[0] = 1;
+      add_box(plane, first, extent);
+    }
+    up_to_sides_[i + 1] = bricks;
+    planes_[i + 1] = plane;
+  }
+}
+
+template <int d, class Sum>
+auto FullRowSums<d, Sum>::surplus(const SourceLists<d, Sum>& lists) const -> Surplus {
+  Surplus result;
+  result.skew_ = skew_;
+  add_rows(result.up_to_sides_, lists.left.full, up_to_sides_.data(), 1);
+  mirror_x(result.up_to_sides_);
+  result.up_to_sides_.move(-(kLength - 1) * LatticePoint<d>::Unit(0));
+  add_rows(result.up_to_sides_, lists.right.full, up_to_sides_.data(), 1);
+  add_rows(result.right_, lists.right.full, planes_.data(), 1);
+  add_rows(result.left_, lists.left.full, planes_.data(), 1);
+  return result;
 }
 
 template class FullRowSums<2, Counts<2>>;

@@ -8,46 +8,67 @@
 
 namespace gridstep::bricks {
 
-/// What a ball has in full rows of bricks, for every alignment: prefix sums over the rows of the middle, and over what the
-/// others hold beyond their whole bricks, to one side of the source brick. Positions are taken from the spel. Rows of the
-/// middle that others may follow (reach = kMostBricks) are not to be asked for: their points are not all their own.
+/// What a ball has in full rows of bricks, and in full sides of them: prefix sums over the rows for every alignment of the
+/// lines. That an alignment along x needs none of its own, sides are counted from the spel on, x > 0, and what is too much
+/// is known for a source brick (Surplus). Rows of the middle that others may follow (reach = kMostBricks) are not to be
+/// asked for: their points are not all their own; nor are those that follow.
 ///
-/// Memory: 64 (2D: 8) sums for each row of the middle, 576 (2D: 520) for each other one.
+/// Memory: 64 (2D: 8) sums for each row of the middle, twice as many for each other one.
 template <int d, class Sum>
 class FullRowSums {
  public:
   explicit FullRowSums(const BallRows<d>& ball);
 
-  /// What the ball around the spel `bit` has in all of F.
+  /// What sum() has too much: the points between a spel and the sides that are full, those of the spel's x on the left too
+  /// where the ball is skew. Positions are taken from the source brick.
+  class Surplus {
+   public:
+    Sum of(int bit) const {
+      const int lead = bit % kLength;
+      Sum sum = up_to_sides_;
+      subtract(sum, extruded(right_, Stretch(0, lead + 1)));
+      subtract(sum, extruded(left_, Stretch(lead + skew_, kLength - lead - skew_)));
+      return sum;
+    }
+
+   private:
+    friend FullRowSums;
+    int skew_;
+    Sum up_to_sides_;   // from the source brick on, its own points included
+    Sum right_, left_;  // of those, on a plane x = 0
+  };
+  Surplus surplus(const SourceLists<d, Sum>& lists) const;
+
+  /// What the ball around the spel `bit` has in all of F, and the surplus. Positions are taken from the spel.
   Sum sum(const SourceLists<d, Sum>& lists, int bit) const {
-    const int line = bit / kLength, lead = bit % kLength;
+    const auto line = std::size_t(bit / kLength);
     Sum result;
-    // The left side is the right one of the mirrored alignment.
-    add_rows(result, lists.left.full, &sides_[alignment(line, kLength - 1 - lead - skew_)], kAlignments);
+    add_rows(result, lists.left.full, &sides_[line], Lines<d>::kCount);
     mirror_x(result);
     if (skew_) result.move(-LatticePoint<d>::Unit(0));
-    add_rows(result, lists.right.full, &sides_[alignment(line, lead)], kAlignments);
-    add_rows(result, lists.middle.full, &middle_[std::size_t(line)], Lines<d>::kCount);
+    add_rows(result, lists.right.full, &sides_[line], Lines<d>::kCount);
+    add_rows(result, lists.rows.full, &rows_[line], Lines<d>::kCount);
     return result;
   }
-  std::size_t memory() const { return (middle_.size() + sides_.size()) * sizeof(Sum); }
+  std::size_t memory() const {
+    return (rows_.size() + sides_.size() + up_to_sides_.size() + planes_.size()) * sizeof(Sum);
+  }
 
  private:
   static constexpr int kLength = Lines<d>::kLength;
-  static constexpr std::size_t kAlignments = Lines<d>::kCount * (kLength + 1);
 
-  /// lead: the spel's position in its line, -1 <= lead < kLength.
-  static std::size_t alignment(int line, int lead) { return std::size_t(line * (kLength + 1) + lead + 1); }
-  static void add_rows(Sum& sum, const std::vector<FullRows>& rows, const Sum* before,
-                       std::size_t alignments) {
+  /// before: of all earlier rows, `stride` sums for each.
+  static void add_rows(Sum& sum, const std::vector<FullRows>& rows, const Sum* before, std::size_t stride) {
     for (const FullRows& range : rows) {
-      add(sum, before[range.end * alignments]);
-      subtract(sum, before[range.begin * alignments]);
+      add(sum, before[range.end * stride]);
+      subtract(sum, before[range.begin * stride]);
     }
   }
 
   int skew_;
-  std::vector<Sum> middle_, sides_;  // of all earlier rows, for all alignments of one row after the other
+  std::vector<Sum> rows_, sides_;  // for all lines of the source brick of one row after the other
+  std::vector<Sum> up_to_sides_;   // of the bricks from the source brick up to the right side
+  std::vector<Sum> planes_;        // of what they have at x = 0
 };
 
 }  // namespace gridstep::bricks

@@ -31,7 +31,7 @@ class RowRuns {
   template <class Sum>
   void list_middle(const SourceLists<d, Sum>& lists, std::size_t at) {
     clear();
-    for (const CutRow<d, Sum>& part : lists.middle.cut) list(lists, part, at, -kMiddleOrigin);
+    for (const CutRow<d, Sum>& part : lists.rows.cut) list(lists, part, at, -kMiddleOrigin);
   }
   template <class Sum>
   void list_right(const SourceLists<d, Sum>& lists, const BallRows<d>& ball, std::size_t at) {

@@ -4,11 +4,11 @@ namespace gridstep::bricks {
 
 namespace {
 
-void extend(std::vector<FullRows>& full, std::uint32_t row) {
-  if (!full.empty() && full.back().end == row)
-    ++full.back().end;
+void extend(std::vector<FullRows>& full, std::uint32_t begin, std::uint32_t end) {
+  if (!full.empty() && full.back().end == begin)
+    full.back().end = end;
   else
-    full.push_back({row, row + 1});
+    full.push_back({begin, end});
 }
 
 /// Lists what lies in bricks lo to hi, counted from the source brick x; `first` is the first run that ends behind lo.
@@ -29,7 +29,7 @@ bool is_full(int lo, int hi, const Run* first, int x) {
 template <int d, class Sum>
 std::size_t SourceLists<d, Sum>::size() const {
   std::size_t result = 0;
-  for (const Parts* parts : {&middle, &right, &left})
+  for (const Parts* parts : {&rows, &right, &left})
     for (const CutRow<d, Sum>& part : parts->cut) result += std::size_t(part.last - part.first);
   return result;
 }
@@ -45,9 +45,9 @@ void SourceLists<d, Sum>::build_middle(const BallRows<d>& ball, const BrickRows<
     const auto* run = set.find(row, x - far);
     // A row that others may follow does not hold all that the table has of it.
     if (far < BallRows<d>::kMostBricks && is_full(-far, far, run, x))
-      extend(middle.full, i);
+      extend(rows.full, i, i + 1);
     else
-      list_cut(middle.cut, i, -far, far, run, x);
+      list_cut(rows.cut, i, -far, far, run, x);
   }
 }
 
@@ -55,37 +55,41 @@ template <int d, class Sum>
 void SourceLists<d, Sum>::build_sides(const BallRows<d>& ball, const BrickRows<d, Sum>& set,
                                       const LatticePoint<d>& source) {
   const auto first_side = std::uint32_t(ball.middle().size());
-  const auto list = [&](Parts& side, std::uint32_t i, int lo, int hi, const auto* run) {
-    if (is_full(lo, hi, run, x))
-      extend(side.full, i);
-    else
-      list_cut(side.cut, first_side + i, lo, hi, run, x);
-  };
-  for (std::uint32_t i = 0; i < ball.sides().size(); ++i) {
-    const auto& ball_row = ball.sides()[i];
-    const LatticePoint<d> brick = source + ball_row.brick;
+  for (std::uint32_t begin = 0, end; begin < ball.sides().size(); begin = end) {
+    const auto& head = ball.sides()[begin];
+    end = begin + std::uint32_t(head.parts);
+    const LatticePoint<d> brick = source + head.brick;
     const auto row = set.row(brick);
     if (row.empty()) continue;
-    const int near = ball_row.near, far = ball_row.reach;
+    const int near = head.near, far = ball.sides()[end - 1].reach;
     const auto* run = set.find(row, x - far);
     if (run->begin > x + far) continue;
-    if (is_full(-far, far, run, x)) {
-      extend(left.full, i);
-      extend(right.full, i);
-      if (ball_row.whole) set.add_full(inside, brick, x - near + 1, x + near);
+    if (head.whole && is_full(-far, far, run, x)) {
+      extend(rows.full, first_side + begin, first_side + end);
       continue;
     }
-    const auto behind = [&](int end) {
-      while (run->end <= end) ++run;
+    const auto behind = [&](int last) {
+      while (run->end <= last) ++run;
       return run;
     };
-    list(left, i, -far, -near, run);
-    if (ball_row.whole) {
-      const int begin = x - near + 1, end = x + near;
-      subtract(inside, set.before(behind(begin), brick, begin));
-      add(inside, set.before(behind(end), brick, end));
+    if (head.whole && is_full(-far, -near, run, x))
+      extend(left.full, begin, end);
+    else
+      for (std::uint32_t i = end; i-- > begin;) {
+        const auto& part = ball.sides()[i];
+        list_cut(left.cut, first_side + i, -part.reach, -part.near, behind(x - part.reach - 1), x);
+      }
+    if (head.whole) {
+      subtract(inside, set.before(behind(x - near + 1), brick, x - near + 1));
+      add(inside, set.before(behind(x + near), brick, x + near));
     }
-    list(right, i, near, far, behind(x + near));
+    if (head.whole && is_full(near, far, behind(x + near), x))
+      extend(right.full, begin, end);
+    else
+      for (std::uint32_t i = begin; i < end; ++i) {
+        const auto& part = ball.sides()[i];
+        list_cut(right.cut, first_side + i, part.near, part.reach, behind(x + part.near), x);
+      }
   }
 }
 
@@ -94,7 +98,7 @@ void SourceLists<d, Sum>::build(const BallRows<d>& ball, const BrickRows<d, Sum>
                                 const LatticePoint<d>& source) {
   x = source[0];
   inside = {};
-  for (Parts* parts : {&middle, &right, &left}) {
+  for (Parts* parts : {&rows, &right, &left}) {
     parts->cut.clear();
     parts->full.clear();
   }

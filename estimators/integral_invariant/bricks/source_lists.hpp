@@ -18,8 +18,8 @@ struct CutRow {
   const typename BrickRows<d, Sum>::Run *first, *last;
 };
 
-/// Successive rows of BallRows::middle() that are full, or of sides() that are full on one side, `end` excluded: they are
-/// summed up in FullRowSums.
+/// Successive rows that are full, counted in BallRows::rows(), or sides that are, counted in sides(); `end` excluded. They
+/// are summed up in FullRowSums.
 struct FullRows {
   std::uint32_t begin, end;
 };
@@ -33,7 +33,7 @@ struct SourceLists {
   };
   int x;         ///< of the source brick
   Sum inside;    ///< C: the points in bricks inside every ball
-  Parts middle;  ///< a ball may cut them at both ends
+  Parts rows;    ///< cut: of BallRows::middle(), a ball may cut them at both ends; full: from end to end
   Parts right, left;
 
   /// Runs of bricks that each spel visits.
