@@ -29,7 +29,7 @@ std::uint32_t SpelsByBrick<d>::source_of(const LatticePoint<d>& brick) {
       i = slot(brick);
     }
     table_[i] = std::uint32_t(sources_.size());
-    sources_.push_back({brick, {}, 0, {}});
+    sources_.push_back({brick});
   }
   return table_[i];
 }
