@@ -54,17 +54,17 @@ std::vector<Sum> BallSums<d, Sum>::eval(const DigitalSet<d>& set, const SpelsByB
 
   struct Scratch {
     SourceLists<d, Modular<Sum>> lists;
-    std::vector<std::uint16_t> bits;  // of the source brick's spels
-    std::vector<Modular<Sum>> sums;
+    std::vector<std::uint16_t> bits{};  // of the source brick's spels
+    std::vector<Modular<Sum>> sums{};
     std::int64_t visited = 0;
   };
-  PerWorker<Scratch> scratches;
+  PerWorker<Scratch> scratches({{ball, rows}});
   constexpr std::size_t kGrain = 16;
   parallel_chunks(sources.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     auto& [lists, bits, sums, visited] = scratches.local();
     for (std::size_t i = begin; i != end; ++i) {
       const auto& source = sources[i];
-      lists.build(ball, rows, source.brick);
+      lists.build(source.brick);
       bits.clear();
       for_each_bit(source.spels, [&](int bit) { bits.push_back(std::uint16_t(bit)); });
       sums.resize(bits.size());

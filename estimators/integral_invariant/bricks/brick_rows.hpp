@@ -22,34 +22,34 @@ class BrickRows {
     const Brick<d>* mixed;  ///< one mixed brick, or null: full bricks
     Sum before;             ///< of the row's points in earlier runs
   };
-  /// The runs of a row from left to right; behind them lies a sentinel at infinity, with all points before it.
-  using Row = std::span<const Run>;
-
   /// Cost: the stored bricks of the box, and its pages.
   BrickRows(const DigitalSet<d>& set, const LatticeBox<d>& box);
 
-  /// The row of a brick, empty outside the box.
-  Row row(const LatticePoint<d>& brick) const {
+  /// Number of rows.
+  std::size_t size() const { return row_begin_.size() - 1; }
+  /// The row of a brick, or size() outside the box.
+  std::size_t row(const LatticePoint<d>& brick) const {
     std::size_t index = 0;
     for (int k = d - 1; k > 0; --k) {
       const int offset = brick[k] - box_.lo[k];
-      if (offset < 0 || brick[k] > box_.hi[k]) return {};
+      if (offset < 0 || brick[k] > box_.hi[k]) return size();
       index = index * std::size_t(extent_[k]) + std::size_t(offset);
     }
-    return {runs_.data() + row_begin_[index], runs_.data() + row_begin_[index + 1] - 1};
+    return index;
   }
 
-  /// The first run that ends behind brick x, or the sentinel.
-  static const Run* find(Row row, int x) {
-    const Run* run = row.data();
-    if (row.size() > 12)
-      return std::upper_bound(run, run + row.size(), x,
-                              [](int value, const Run& r) { return value < r.end; });
+  /// The runs of a row go from left to right; behind them lies a sentinel at infinity, with all points before it. This is
+  /// the first run, or the sentinel, that ends behind brick x. `last` is where the row's last one was found, or 0: the
+  /// search goes from there, since successive ones are close to each other.
+  const Run* find(std::size_t row, int x, std::uint32_t& last) const {
+    const Run *const first = runs_.data() + row_begin_[row], *run = first + last;
     while (run->end <= x) ++run;
+    while (run != first && run[-1].end > x) --run;
+    last = std::uint32_t(run - first);
     return run;
   }
 
-  /// The points of the row left of brick x; run = find(row, x).
+  /// The points of the row left of brick x; run = find(row, x, last).
   static Sum before(const Run* run, const LatticePoint<d>& brick, int x) {
     Sum sum = run->before;
     if (run->begin < x) add_full(sum, brick, run->begin, x);

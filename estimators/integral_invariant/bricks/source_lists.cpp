@@ -4,7 +4,10 @@ namespace gridstep::bricks {
 
 namespace {
 
-void extend(std::vector<FullRows>& full, std::uint32_t begin, std::uint32_t end) {
+// What is done for each row of the ball is inlined by force: calls would take a fifth of the time.
+
+[[gnu::always_inline]] inline void extend(std::vector<FullRows>& full, std::uint32_t begin,
+                                          std::uint32_t end) {
   if (!full.empty() && full.back().end == begin)
     full.back().end = end;
   else
@@ -13,7 +16,8 @@ void extend(std::vector<FullRows>& full, std::uint32_t begin, std::uint32_t end)
 
 /// Lists what lies in bricks lo to hi, counted from the source brick x; `first` is the first run that ends behind lo.
 template <int d, class Sum, class Run>
-void list_cut(std::vector<CutRow<d, Sum>>& cut, std::uint32_t row, int lo, int hi, const Run* first, int x) {
+[[gnu::always_inline]] inline void list_cut(std::vector<CutRow<d, Sum>>& cut, std::uint32_t row, int lo,
+                                            int hi, const Run* first, int x) {
   const Run* last = first;
   while (last->begin <= x + hi) ++last;
   if (last != first) cut.push_back({row, lo, hi, first, last});
@@ -35,14 +39,14 @@ std::size_t SourceLists<d, Sum>::size() const {
 }
 
 template <int d, class Sum>
-void SourceLists<d, Sum>::build_middle(const BallRows<d>& ball, const BrickRows<d, Sum>& set,
-                                       const LatticePoint<d>& source) {
-  for (std::uint32_t i = 0; i < ball.middle().size(); ++i) {
-    const auto& ball_row = ball.middle()[i];
-    const auto row = set.row(source + ball_row.brick);
-    if (row.empty()) continue;
+void SourceLists<d, Sum>::build_middle(const LatticePoint<d>& source) {
+  const auto middle = ball_->middle();
+  for (std::uint32_t i = 0; i < middle.size(); ++i) {
+    const auto& ball_row = middle[i];
+    const std::size_t row = set_->row(source + ball_row.brick);
+    if (row == set_->size()) continue;
     const int far = ball_row.reach;
-    const auto* run = set.find(row, x - far);
+    const auto* run = set_->find(row, x - far, last_[row]);
     // A row that others may follow does not hold all that the table has of it.
     if (far < BallRows<d>::kMostBricks && is_full(-far, far, run, x))
       extend(rows.full, i, i + 1);
@@ -52,17 +56,17 @@ void SourceLists<d, Sum>::build_middle(const BallRows<d>& ball, const BrickRows<
 }
 
 template <int d, class Sum>
-void SourceLists<d, Sum>::build_sides(const BallRows<d>& ball, const BrickRows<d, Sum>& set,
-                                      const LatticePoint<d>& source) {
-  const auto first_side = std::uint32_t(ball.middle().size());
-  for (std::uint32_t begin = 0, end; begin < ball.sides().size(); begin = end) {
-    const auto& head = ball.sides()[begin];
+void SourceLists<d, Sum>::build_sides(const LatticePoint<d>& source) {
+  const auto sides = ball_->sides();
+  const auto first_side = std::uint32_t(ball_->middle().size());
+  for (std::uint32_t begin = 0, end; begin < sides.size(); begin = end) {
+    const auto& head = sides[begin];
     end = begin + std::uint32_t(head.parts);
     const LatticePoint<d> brick = source + head.brick;
-    const auto row = set.row(brick);
-    if (row.empty()) continue;
-    const int near = head.near, far = ball.sides()[end - 1].reach;
-    const auto* run = set.find(row, x - far);
+    const std::size_t row = set_->row(brick);
+    if (row == set_->size()) continue;
+    const int near = head.near, far = sides[end - 1].reach;
+    const auto* run = set_->find(row, x - far, last_[row]);
     if (run->begin > x + far) continue;
     if (head.whole && is_full(-far, far, run, x)) {
       extend(rows.full, first_side + begin, first_side + end);
@@ -76,34 +80,33 @@ void SourceLists<d, Sum>::build_sides(const BallRows<d>& ball, const BrickRows<d
       extend(left.full, begin, end);
     else
       for (std::uint32_t i = end; i-- > begin;) {
-        const auto& part = ball.sides()[i];
+        const auto& part = sides[i];
         list_cut(left.cut, first_side + i, -part.reach, -part.near, behind(x - part.reach - 1), x);
       }
     if (head.whole) {
-      subtract(inside, set.before(behind(x - near + 1), brick, x - near + 1));
-      add(inside, set.before(behind(x + near), brick, x + near));
+      subtract(inside, set_->before(behind(x - near + 1), brick, x - near + 1));
+      add(inside, set_->before(behind(x + near), brick, x + near));
     }
     if (head.whole && is_full(near, far, behind(x + near), x))
       extend(right.full, begin, end);
     else
       for (std::uint32_t i = begin; i < end; ++i) {
-        const auto& part = ball.sides()[i];
+        const auto& part = sides[i];
         list_cut(right.cut, first_side + i, part.near, part.reach, behind(x + part.near), x);
       }
   }
 }
 
 template <int d, class Sum>
-void SourceLists<d, Sum>::build(const BallRows<d>& ball, const BrickRows<d, Sum>& set,
-                                const LatticePoint<d>& source) {
+void SourceLists<d, Sum>::build(const LatticePoint<d>& source) {
   x = source[0];
   inside = {};
   for (Parts* parts : {&rows, &right, &left}) {
     parts->cut.clear();
     parts->full.clear();
   }
-  build_middle(ball, set, source);
-  build_sides(ball, set, source);
+  build_middle(source);
+  build_sides(source);
 }
 
 template struct SourceLists<2, Counts<2>>;

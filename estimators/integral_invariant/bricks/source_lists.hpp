@@ -31,7 +31,7 @@ struct SourceLists {
     std::vector<CutRow<d, Sum>> cut;  ///< E
     std::vector<FullRows> full;       ///< F
   };
-  int x;         ///< of the source brick
+  int x = 0;     ///< of the source brick
   Sum inside;    ///< C: the points in bricks inside every ball
   Parts rows;    ///< cut: of BallRows::middle(), a ball may cut them at both ends; full: from end to end
   Parts right, left;
@@ -46,12 +46,21 @@ struct SourceLists {
       f(std::max(run->begin - x, part.lo), std::min(run->end - x, part.hi + 1), run->mixed);
   }
 
-  /// Cost: the rows of the ball, and the runs of the set that a ball boundary may cross.
-  void build(const BallRows<d>& ball, const BrickRows<d, Sum>& set, const LatticePoint<d>& source);
+  /// Keeps both by reference.
+  SourceLists(const BallRows<d>& ball, const BrickRows<d, Sum>& set)
+      : ball_(&ball), set_(&set), last_(set.size()) {}
+
+  /// Cost: the rows of the ball, and the runs of the set that a ball boundary may cross; where successive source bricks
+  /// are far from each other, also the runs between them.
+  void build(const LatticePoint<d>& source);
 
  private:
-  void build_middle(const BallRows<d>& ball, const BrickRows<d, Sum>& set, const LatticePoint<d>& source);
-  void build_sides(const BallRows<d>& ball, const BrickRows<d, Sum>& set, const LatticePoint<d>& source);
+  void build_middle(const LatticePoint<d>& source);
+  void build_sides(const LatticePoint<d>& source);
+
+  const BallRows<d>* ball_;
+  const BrickRows<d, Sum>* set_;
+  std::vector<std::uint32_t> last_;  // of each row of the set, see BrickRows::find()
 };
 
 extern template struct SourceLists<2, Counts<2>>;
