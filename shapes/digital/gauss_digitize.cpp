@@ -118,7 +118,7 @@ class Digitizer {
   void digitize(const LatticePoint<d>& page, Page<d>& result) {
     result.states.assign(DigitalSet<d>::kBricksInPage, DigitalSet<d>::kEmpty);
     result.bricks.clear();
-    split_bricks(page * DigitalSet<d>::kPageSide, DigitalSet<d>::kPageSide, nullptr, result);
+    split_bricks(page * DigitalSet<d>::kPageSide, DigitalSet<d>::kPageSide, AffineBound<d>{}, result);
     result.work = work;
   }
 
@@ -130,8 +130,8 @@ class Digitizer {
   static constexpr int kSmallest = d == 2 ? 16 : 64, kOpenShare = 8;
 
   /// Splits a cube of bricks, `side_length` a power of two, until its parts are decided or single bricks.
-  /// @param known a bound that holds for the cube, and is as good as one of its own; or null
-  void split_bricks(const LatticePoint<d>& first, int side_length, const AffineBound<d>* known,
+  /// @param of_whole the bound of a cube that this one is part of
+  void split_bricks(const LatticePoint<d>& first, int side_length, const AffineBound<d>& of_whole,
                     Page<d>& page) {
     constexpr std::int32_t kFull = DigitalSet<d>::kFull;
     const auto state_of = [&](const LatticePoint<d>& brick) -> std::int32_t& {
@@ -139,8 +139,11 @@ class Digitizer {
     };
     const LatticePoint<d> behind = first.array() + side_length;
     const LatticeBox<d> points{Brick<d>::origin(first), Brick<d>::origin(behind).array() - 1};
-    const AffineBound<d> own = known ? *known : bound(points);
-    const Side where = side(points, own);
+    // The bound of the whole decides most parts that the boundary does not cross.
+    Side where = side(points, of_whole);
+    const bool is_enough = where != Side::crossing || sharp(of_whole);
+    const AffineBound<d> own = is_enough ? of_whole : bound(points);
+    if (!is_enough) where = side(points, own);
     if (where == Side::outside) return;
     if (where == Side::inside) {
       for_each_point(LatticeBox<d>{first, behind.array() - 1},
@@ -161,7 +164,7 @@ class Digitizer {
     for (int part = 0; part < (1 << d); ++part) {
       LatticePoint<d> corner = first;
       for (int k = 0; k < d; ++k) corner[k] += ((part >> k) & 1) * half;
-      split_bricks(corner, half, sharp(own) ? &own : nullptr, page);
+      split_bricks(corner, half, own, page);
     }
   }
 
