@@ -3,7 +3,7 @@
 #include <numeric>
 
 #include "shapes/analytic/shape.hpp"
-#include "shapes/base/affine_model.hpp"
+#include "shapes/base/taylor_model.hpp"
 
 namespace gridstep {
 
@@ -18,9 +18,9 @@ class Ball final : public Shape<d> {
     return {RealPoint<d>::Constant(-radius_), RealPoint<d>::Constant(radius_)};
   }
   AffineBound<d> local_bound(const RealBox<d>& box) const override {
-    AffineModel<d> squared;
-    for (const AffineModel<d>& x : AffineModel<d>::variables(box)) squared = squared + square(x);
-    return bound_of(squared - AffineModel<d>(radius_ * radius_), box);
+    TaylorModel<d> squared;
+    for (const TaylorModel<d>& x : TaylorModel<d>::variables(box)) squared = squared + square(x);
+    return bound_of(squared - TaylorModel<d>(radius_ * radius_), box);
   }
   std::uint64_t local_inside(std::span<const RealPoint<d>> points) const override {
     std::uint64_t result = 0;

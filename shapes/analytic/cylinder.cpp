@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "shapes/analytic/catalogue.hpp"
-#include "shapes/base/affine_model.hpp"
+#include "shapes/base/taylor_model.hpp"
 
 namespace gridstep {
 
@@ -19,8 +19,8 @@ class Cylinder final : public Shape<3> {
     return {-corner, corner};
   }
   AffineBound<3> local_bound(const RealBox<3>& box) const override {
-    const auto [x, y, z] = AffineModel<3>::variables(box);
-    AffineBound<3> bound = bound_of(square(x) + square(y) - AffineModel<3>(radius_ * radius_), box);
+    const auto [x, y, z] = TaylorModel<3>::variables(box);
+    AffineBound<3> bound = bound_of(square(x) + square(y) - TaylorModel<3>(radius_ * radius_), box);
     for (const double sign : {-1.0, 1.0})
       bound = intersection(bound, half_space_bound<3>(sign * RealPoint<3>::UnitZ(), half_height_, box), box);
     return bound;

@@ -7,9 +7,9 @@
 
 #include "shapes/analytic/catalogue.hpp"
 #include "shapes/analytic/implicit_shape.hpp"
-#include "shapes/base/affine_model.hpp"
 #include "shapes/base/contracts.hpp"
 #include "shapes/base/random.hpp"
+#include "shapes/base/taylor_model.hpp"
 
 namespace gridstep {
 namespace {
@@ -192,47 +192,63 @@ TEST(FormulaProperties, IntervalsContainEveryComputedValue) {
   }
 }
 
-TEST(FormulaProperties, AffineModelsHoldEveryComputedValue) {
+TEST(FormulaProperties, TaylorModelsAndTheirBoundsHoldEveryComputedValue) {
   RandomStream random{4};
-  double tightest = 1;
+  double tightest = 1, tightest_bound = 1;
   for (int trial = 0; trial < 3000; ++trial) {
     const Formula formula(random_formula(random, 1 + trial % 3));
     const RealPoint<3> lo = random_point(random);
     const double width = 3 * std::exp2(-52 * random.uniform());  // down to a few units of the last place
     RealBox<3> box(lo, lo);
     for (int k = 0; k < 3; ++k) box.max()[k] += width * random.uniform();
-    const auto variables = AffineModel<3>::variables(box);
-    const AffineModel<3> model = formula(std::span<const AffineModel<3>>(variables));
+    const auto variables = TaylorModel<3>::variables(box);
+    const TaylorModel<3> model = formula(std::span<const TaylorModel<3>>(variables));
+    const AffineBound<3> bound = bound_of(model, box);
     for (int sample = 0; sample < 30; ++sample) {
       std::array<double, 3> p;
-      long double affine = model.value;
-      for (int k = 0; k < 3; ++k) {
+      std::array<long double, 3> x{};
+      long double quadratic = model.value, affine = bound.value;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto axis = Eigen::Index(k);
         const double side = sample < 8 ? (sample >> k) & 1 : random.uniform();  // corners, then within
-        p[k] = side == 1 ? box.max()[k] : std::min(box.min()[k] + side * box.sizes()[k], box.max()[k]);
-        if (variables[k].slope[k] > 0)
-          affine += model.slope[k] *
-                    ((static_cast<long double>(p[k]) - variables[k].value) / variables[k].slope[k]);
+        p[k] = side == 1 ? box.max()[axis]
+                         : std::min(box.min()[axis] + side * box.sizes()[axis], box.max()[axis]);
+        const double reach = variables[k].slope[k];
+        if (reach > 0) x[k] = (static_cast<long double>(p[k]) - variables[k].value) / reach;
+        quadratic += model.slope[k] * x[k];
+        affine += bound.slope[axis] * (static_cast<long double>(p[k]) - bound.centre[axis]);
       }
-      const double off = double(std::abs(formula(std::span<const double>(p)) - affine));
+      for (std::size_t j = 0, pair = 0; j < 3; ++j)
+        for (std::size_t k = j; k < 3; ++k, ++pair) quadratic += model.bend[pair] * x[j] * x[k];
+      const double value = formula(std::span<const double>(p));
+      const double off = double(std::abs(value - quadratic)), off_bound = double(std::abs(value - affine));
       ASSERT_LE(off, model.error) << formula.text();
+      ASSERT_LE(off_bound, bound.error) << formula.text();
       if (off > 0) tightest = std::min(tightest, 1 - off / model.error);
+      if (off_bound > 0) tightest_bound = std::min(tightest_bound, 1 - off_bound / bound.error);
     }
   }
   EXPECT_LT(tightest, 0.01) << "errors are never reached: far too large";
+  EXPECT_LT(tightest_bound, 0.01) << "errors are never reached: far too large";
 }
 
-TEST(FormulaProperties, TheErrorOfAnAffineModelShrinksWithTheSquareOfTheBox) {
+TEST(FormulaProperties, TheErrorOfATaylorModelShrinksWithTheCubeOfTheBoxAndThatOfItsBoundWithTheSquare) {
   RandomStream random{5};
-  const auto error = [](const Formula& formula, const RealPoint<3>& p, double reach) {
-    const auto variables = AffineModel<3>::variables({p.array() - reach, p.array() + reach});
-    return formula(std::span<const AffineModel<3>>(variables)).error;
+  const auto errors = [](const Formula& formula, const RealPoint<3>& p, double reach) {
+    const RealBox<3> box{p.array() - reach, p.array() + reach};
+    const auto variables = TaylorModel<3>::variables(box);
+    const TaylorModel<3> model = formula(std::span<const TaylorModel<3>>(variables));
+    return std::pair(model.error, bound_of(model, box).error);
   };
   for (int trial = 0; trial < 300; ++trial) {
     const Formula formula(random_formula(random, 1 + trial % 3));
     const RealPoint<3> p = random_point(random);
     const std::array<double, 3> magnitudes{2, 2, 2};
-    EXPECT_LE(error(formula, p, 1e-4), error(formula, p, 1e-3) / 90 + 1e-11 * formula.magnitude(magnitudes))
-        << formula.text();
+    const double rounding = 1e-11 * formula.magnitude(magnitudes);
+    const auto [small, small_of_bound] = errors(formula, p, 1e-4);
+    const auto [large, large_of_bound] = errors(formula, p, 1e-3);
+    EXPECT_LE(small, large / 900 + rounding) << formula.text();
+    EXPECT_LE(small_of_bound, large_of_bound / 90 + rounding) << formula.text();
   }
 }
 
