@@ -47,7 +47,7 @@ int last_brick(int first) {
 
 template <int d>
 BallRows<d>::BallRows(DigitalLength radius, int half_axis) : skew_(half_axis == 0) {
-  constexpr int kLargest = d == 2 ? 1 << 14 : 700;  // in 3D, the tables take 3 GB
+  constexpr int kLargest = d == 2 ? 1 << 14 : 700;  // in 3D, the tables take 1 GB
   const std::int64_t limit = squared_diameter(radius);
   if (radius.value > kLargest)
     throw InputError(
