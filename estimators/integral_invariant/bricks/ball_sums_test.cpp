@@ -99,9 +99,10 @@ TEST_P(OnTarget, BrickSumsAreThoseOfTheDefinitionForHugeBalls) {
     const BallSums<3, Moments3> moment_balls({R}, half_axis);
     const BallSums<3, Count3> count_balls({R}, half_axis);
     RandomStream random({std::uint64_t(half_axis + 1)});
-    const LatticeBox<3> cap{{-170, -20, 205}, {170, 3, 260}}, right{{140, 0, 140}, {240, 12, 180}},
+    const LatticeBox<3> cap{{-170, -20, 205}, {170, 3, 260}}, right_of_cap{{8, -20, 205}, {170, 3, 260}},
+        left_of_cap{{-170, -20, 205}, {-1, 3, 260}}, right{{140, 0, 140}, {240, 12, 180}},
         left{{-240, 0, 140}, {-140, 12, 180}};
-    for (const LatticeBox<3>& box : {cap, right, left}) {
+    for (const LatticeBox<3>& box : {cap, right_of_cap, left_of_cap, right, left}) {
       RandomSet<3> one{DigitalSet<3>(box), {{0, 0, 0}, {5, 3, 7}, {7, 7, 7}}, "half noise"};
       for_each_point(box, [&](const LatticePoint<3>& z) {
         if (z[1] < 0 || random.below(2) == 0) one.set.set(z, true);
@@ -147,26 +148,42 @@ TEST(BallRows, HoldEveryBrickOnce) {
     for (const auto& row : ball.sides()) check(row, false);
     EXPECT_EQ(ball.middle().size() + ball.sides().size(), ball.rows().size());
     EXPECT_EQ(split > 0, R > 9);
+    // A whole row and its parts are all that is there of the row, and lie side by side.
+    std::map<std::pair<int, int>, int> rows;
+    for (const auto& row : ball.rows()) ++rows[{row.brick[1], row.brick[2]}];
+    for (std::size_t i = 0; i < ball.sides().size(); ++i) {
+      const auto& row = ball.sides()[i];
+      if (!row.whole) continue;
+      EXPECT_EQ(row.parts, (rows[{row.brick[1], row.brick[2]}]));
+      for (std::size_t part = 0; part < std::size_t(row.parts); ++part)
+        EXPECT_EQ(ball.sides()[i + part].brick, row.brick);
+    }
   }
 }
 
-/// All points of a box of whole pages: no brick is stored.
+/// All points of a box of whole pages, or of those from `first` to `last` along x: no brick is stored.
 template <int d>
-DigitalSet<d> full_pages(int pages) {
+DigitalSet<d> full_pages(int pages, int first = 0, int last = std::numeric_limits<int>::max()) {
   const int side = DigitalSet<d>::kPageSide * Brick<d>::extent(0);
   DigitalSet<d> set({LatticePoint<d>::Zero(), LatticePoint<d>::Constant(pages * side - 1)});
-  for_each_point(set.page_box(),
-                 [&](const LatticePoint<d>& page) { set.set_page(page, DigitalSet<d>::kFull); });
+  for_each_point(set.page_box(), [&](const LatticePoint<d>& page) {
+    if (first <= page[0] && page[0] <= last) set.set_page(page, DigitalSet<d>::kFull);
+  });
   return set;
 }
 
 TEST(BrickSums, HaveNoLimitThatStudiesWouldMeet) {
-  // Far inside a full set the sum is the number of points of the ball, by rows of the sphere of radius 500.
-  std::int64_t points = 0;
+  // Far inside a full set the sum is the number of points of the ball, by rows of the sphere of radius 500; of a half-space,
+  // those from 35 on to the right, or from 30 on to the left.
+  std::int64_t points = 0, on_the_right = 0, on_the_left = 0;
   for (std::int64_t z = -500; z <= 500; ++z)
     for (std::int64_t y = -500; y <= 500; ++y)
-      if (const std::int64_t rest = 250000 - y * y - z * z; rest >= 0)
-        points += 2 * std::int64_t(std::sqrt(double(rest))) + 1;
+      if (const std::int64_t rest = 250000 - y * y - z * z; rest >= 0) {
+        const auto W = std::int64_t(std::sqrt(double(rest)));
+        points += 2 * W + 1;
+        on_the_right += std::max<std::int64_t>(W - 34, 0);
+        on_the_left += std::max<std::int64_t>(W - 29, 0);
+      }
   const auto space = full_pages<3>(17);
   SpelsByBrick<3> spels;
   SpelsByBrick<3>::Memo memo;
@@ -175,6 +192,8 @@ TEST(BrickSums, HaveNoLimitThatStudiesWouldMeet) {
   const BallSums<3, Count3> balls({500}, -1);
   EXPECT_EQ(balls.ball_size(), points);
   EXPECT_EQ(balls.eval(space, spels).front().n, points);
+  EXPECT_EQ(balls.eval(full_pages<3>(17, 9), spels).front().n, on_the_right);
+  EXPECT_EQ(balls.eval(full_pages<3>(17, 0, 7), spels).front().n, on_the_left);
 
   std::int64_t disk = 0;
   for (std::int64_t y = -2000; y <= 2000; ++y) disk += 2 * std::int64_t(std::sqrt(4e6 - double(y * y))) + 1;
