@@ -173,17 +173,12 @@ DigitalSet<d> full_pages(int pages, int first = 0, int last = std::numeric_limit
 }
 
 TEST(BrickSums, HaveNoLimitThatStudiesWouldMeet) {
-  // Far inside a full set the sum is the number of points of the ball, by rows of the sphere of radius 500; of a half-space,
-  // those from 35 on to the right, or from 30 on to the left.
-  std::int64_t points = 0, on_the_right = 0, on_the_left = 0;
+  // Far inside a full set the sum is the number of points of the ball, by rows of the sphere of radius 500.
+  std::int64_t points = 0;
   for (std::int64_t z = -500; z <= 500; ++z)
     for (std::int64_t y = -500; y <= 500; ++y)
-      if (const std::int64_t rest = 250000 - y * y - z * z; rest >= 0) {
-        const auto W = std::int64_t(std::sqrt(double(rest)));
-        points += 2 * W + 1;
-        on_the_right += std::max<std::int64_t>(W - 34, 0);
-        on_the_left += std::max<std::int64_t>(W - 29, 0);
-      }
+      if (const std::int64_t rest = 250000 - y * y - z * z; rest >= 0)
+        points += 2 * std::int64_t(std::sqrt(double(rest))) + 1;
   const auto space = full_pages<3>(17);
   SpelsByBrick<3> spels;
   SpelsByBrick<3>::Memo memo;
@@ -192,8 +187,6 @@ TEST(BrickSums, HaveNoLimitThatStudiesWouldMeet) {
   const BallSums<3, Count3> balls({500}, -1);
   EXPECT_EQ(balls.ball_size(), points);
   EXPECT_EQ(balls.eval(space, spels).front().n, points);
-  EXPECT_EQ(balls.eval(full_pages<3>(17, 9), spels).front().n, on_the_right);
-  EXPECT_EQ(balls.eval(full_pages<3>(17, 0, 7), spels).front().n, on_the_left);
 
   std::int64_t disk = 0;
   for (std::int64_t y = -2000; y <= 2000; ++y) disk += 2 * std::int64_t(std::sqrt(4e6 - double(y * y))) + 1;
@@ -205,6 +198,46 @@ TEST(BrickSums, HaveNoLimitThatStudiesWouldMeet) {
   const BallSums<2, Count2> disks({2000}, -1);
   EXPECT_EQ(disks.ball_size(), disk);
   EXPECT_EQ(disks.eval(plane, pixels).front().n, disk);
+}
+
+/// The points of a ball with first <= x <= last, offsets taken from the spel.
+Moments3 slab_of_ball(int R, double centre, int first, int last) {
+  Moments3 sum;
+  for (int z = -R; z <= R; ++z)
+    for (int y = -R; y <= R; ++y) {
+      const int rest = R * R - y * y - z * z;
+      if (rest < 0) continue;
+      const int begin = std::max(first, int(std::ceil(centre - std::sqrt(rest)))),
+                end = std::min(last, int(std::floor(centre + std::sqrt(rest))));
+      std::int64_t n = 0, x1 = 0, x2 = 0;
+      for (std::int64_t x = begin; x <= end; ++x) {
+        ++n;
+        x1 += x;
+        x2 += x * x;
+      }
+      const Moments3 row{n, {x1, y * n, z * n}, {x2, y * x1, z * x1, y * y * n, y * z * n, z * z * n}};
+      sum.merge(row, 1);
+    }
+  return sum;
+}
+
+TEST(BrickSums, AreThoseOfSlabsForHugeBalls) {
+  // Sides that are full, most of them in several parts: those of one side, and rows from end to end.
+  constexpr int kPages = 12, kSide = 64, R = 330;
+  const LatticePoint<3> spel(380, 385, 391);
+  SpelsByBrick<3> spels;
+  SpelsByBrick<3>::Memo memo;
+  spels.insert(spel, memo);
+  spels.number();
+  for (const int half_axis : {-1, 0}) {
+    const BallSums<3, Moments3> balls({R}, half_axis);
+    for (const auto& [first, last] : {std::pair(6, kPages - 1), std::pair(0, 5), std::pair(0, kPages - 1)}) {
+      const Moments3 expected = slab_of_ball(R, half_axis == 0 ? 0.5 : 0, first * kSide - spel[0],
+                                             (last + 1) * kSide - 1 - spel[0]);
+      EXPECT_TRUE(balls.eval(full_pages<3>(kPages, first, last), spels).front() == expected)
+          << "half axis " << half_axis << ", pages " << first << " to " << last;
+    }
+  }
 }
 
 TEST(SpelsByBrick, MergesWhatOverlaps) {
