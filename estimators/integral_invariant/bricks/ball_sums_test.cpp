@@ -4,6 +4,7 @@
 #include <tbb/global_control.h>
 
 #include <cmath>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -91,39 +92,65 @@ TEST_P(OnTarget, BrickSumsOfNearlyFullBricksFitTheirCounters) {
   }
 }
 
-TEST_P(OnTarget, BrickSumsAreThoseOfTheDefinitionForHugeBalls) {
-  // Where rows have so many bricks on a side that other rows follow them: near the poles, the ball's own or full ones; and
-  // where the ball is as steep as the rows.
-  constexpr double R = 246.9;
-  for (const int half_axis : {-1, 0}) {
-    const BallSums<3, Moments3> moment_balls({R}, half_axis);
-    const BallSums<3, Count3> count_balls({R}, half_axis);
-    RandomStream random({std::uint64_t(half_axis + 1)});
-    const LatticeBox<3> cap{{-170, -20, 205}, {170, 3, 260}}, right_of_cap{{8, -20, 205}, {170, 3, 260}},
-        left_of_cap{{-170, -20, 205}, {-1, 3, 260}}, right{{140, 0, 140}, {240, 12, 180}},
-        left{{-240, 0, 140}, {-140, 12, 180}};
-    for (const LatticeBox<3>& box : {cap, right_of_cap, left_of_cap, right, left}) {
-      RandomSet<3> one{DigitalSet<3>(box), {{0, 0, 0}, {5, 3, 7}, {7, 7, 7}}, "half noise"};
-      for_each_point(box, [&](const LatticePoint<3>& z) {
-        if (z[1] < 0 || random.below(2) == 0) one.set.set(z, true);
-      });
-      std::vector<Moments3> expected(one.spels.size());
-      for_each_point(box, [&](const LatticePoint<3>& z) {
-        if (!one.set.contains(z)) return;
-        for (std::size_t i = 0; i < expected.size(); ++i) {
-          const LatticePoint<3> offset = z - one.spels[i];
-          RealPoint<3> from_centre = offset.cast<double>();
-          if (half_axis == 0) from_centre[0] -= 0.5;
-          if (from_centre.squaredNorm() <= R * R) expected[i].add(1, offset);
-        }
-      });
-      const auto moments = brick_sums(moment_balls, one);
-      const auto counts = brick_sums(count_balls, one);
-      for (std::size_t i = 0; i < expected.size(); ++i) {
-        EXPECT_TRUE(moments[i] == expected[i]) << "half axis " << half_axis << ", spel " << i;
-        EXPECT_EQ(counts[i].n, expected[i].n);
-      }
+struct HugeBalls {
+  double R;
+  int half_axis;
+  BallSums<3, Moments3> moments{{R}, half_axis};
+  BallSums<3, Count3> counts{{R}, half_axis};
+};
+
+/// Compares with the definition, by the target in use, over noise that is full where y < 0.
+void expect_the_definition(const HugeBalls& balls, const LatticeBox<3>& box, RandomStream& random) {
+  RandomSet<3> one{DigitalSet<3>(box), {{0, 0, 0}, {5, 3, 7}, {7, 7, 7}}, "half noise"};
+  for_each_point(box, [&](const LatticePoint<3>& z) {
+    if (z[1] < 0 || random.below(2) == 0) one.set.set(z, true);
+  });
+  std::vector<Moments3> expected(one.spels.size());
+  for_each_point(box, [&](const LatticePoint<3>& z) {
+    if (!one.set.contains(z)) return;
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      const LatticePoint<3> offset = z - one.spels[i];
+      RealPoint<3> from_centre = offset.cast<double>();
+      if (balls.half_axis == 0) from_centre[0] -= 0.5;
+      if (from_centre.squaredNorm() <= balls.R * balls.R) expected[i].add(1, offset);
     }
+  });
+  const auto moments = brick_sums(balls.moments, one);
+  const auto counts = brick_sums(balls.counts, one);
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    EXPECT_TRUE(moments[i] == expected[i]) << "half axis " << balls.half_axis << ", spel " << i;
+    EXPECT_EQ(counts[i].n, expected[i].n);
+  }
+}
+
+TEST_P(OnTarget, BrickSumsAreThoseOfTheDefinitionForHugeBalls) {
+  // Where rows of the middle have so many bricks on a side that other rows follow them: near the poles, the ball's own or
+  // full ones; and where the ball is as steep as the rows.
+  const LatticeBox<3> cap{{-170, -20, 205}, {170, 3, 260}}, right_of_cap{{8, -20, 205}, {170, 3, 260}},
+      left_of_cap{{-170, -20, 205}, {-1, 3, 260}}, right{{140, 0, 140}, {240, 12, 180}},
+      left{{-240, 0, 140}, {-140, 12, 180}};
+  for (const int half_axis : {-1, 0}) {
+    const HugeBalls balls{246.9, half_axis};
+    RandomStream random({std::uint64_t(half_axis + 1)});
+    for (const LatticeBox<3>& box : {cap, right_of_cap, left_of_cap, right, left})
+      expect_the_definition(balls, box, random);
+  }
+}
+
+TEST(BrickSums, AreThoseOfTheDefinitionWhereSidesHaveSeveralParts) {
+  const LatticeBox<3> right{{1, -9, 376}, {140, 20, 399}}, left{{-140, -9, 376}, {-1, 20, 399}};
+  for (const int half_axis : {-1, 0}) {
+    const HugeBalls balls{400, half_axis};
+    const BallRows<3> rows({balls.R}, half_axis);
+    EXPECT_TRUE(std::any_of(rows.sides().begin(), rows.sides().end(), [&](const auto& row) {
+      return row.parts > 1 && right.contains(Brick<3>::origin(row.brick) + LatticePoint<3>(8, 0, 0));
+    }));
+    RandomStream random({std::uint64_t(half_axis + 1)});
+    for (const Target& target : targets()) {
+      use_target(target.name);
+      for (const LatticeBox<3>& box : {right, left}) expect_the_definition(balls, box, random);
+    }
+    use_target(targets().front().name);
   }
 }
 

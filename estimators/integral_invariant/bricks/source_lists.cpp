@@ -72,8 +72,9 @@ void SourceLists<d, Sum>::build_sides(const LatticePoint<d>& source) {
       extend(rows.full, first_side + begin, first_side + end);
       continue;
     }
-    const auto behind = [&](int last) {
-      while (run->end <= last) ++run;
+    // The first run that ends behind a brick; to be asked for bricks from left to right.
+    const auto behind = [&](int brick_x) {
+      while (run->end <= brick_x) ++run;
       return run;
     };
     if (head.whole && is_full(-far, -near, run, x))
@@ -81,7 +82,7 @@ void SourceLists<d, Sum>::build_sides(const LatticePoint<d>& source) {
     else
       for (std::uint32_t i = end; i-- > begin;) {
         const auto& part = sides[i];
-        list_cut(left.cut, first_side + i, -part.reach, -part.near, behind(x - part.reach - 1), x);
+        list_cut(left.cut, first_side + i, -part.reach, -part.near, behind(x - part.reach), x);
       }
     if (head.whole) {
       subtract(inside, set_->before(behind(x - near + 1), brick, x - near + 1));
