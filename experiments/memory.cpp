@@ -52,8 +52,8 @@ double predicted_table_memory(const EstimatorEntry::Variant<d>& variant, Digital
   const double r = radius.value, pi = std::numbers::pi;
   if (evaluation == Evaluation::bricks && variant.table_memory) return variant.table_memory(radius);
   const bool moments = d == 3 && variant.quantities.size() > 1;
-  // Half-widths for each line of the ball and two prefix sums of them, for each line of a source brick; in balls of
-  // R/h > 300 most rows of bricks are split.
+  // Half-widths for each line of the ball and two prefix sums of them, for each line of a source brick; from R/h of some
+  // 350 on most rows of bricks are split.
   if (evaluation == Evaluation::bricks)
     return (d == 2 ? 200 * r : (moments ? 3.3 : 1.2) * std::max(300.0, r) * r * r) + 0x1p17;
   const double kernel = (d == 2 ? pi * r * r : 4 * pi / 3 * r * r * r) * 16;

@@ -9,13 +9,14 @@
 
 namespace gridstep {
 
-/// A value over a box that is quadratic up to an error, for expressions in +, - and *: at every double point p of the
-/// box, the value that the same expression, evaluated in the same order, takes in doubles is within `error` of
+/// A value over a box that is quadratic up to an error, for expressions in +, - and *: at every double point p
+/// of the box, the value that the same expression, evaluated in the same order, takes in doubles is within
+/// `error` of
 ///   value + sum_k slope[k] x_k + sum_{j <= k} bend[(j, k)] x_j x_k,
 /// where x_k in [-1, 1] is p_k as seen from the middle of the box.
 ///
-/// Tight to third order: `error` shrinks with the cube of the box, down to the rounding at its points. A model of order 1
-/// would be cheaper and many times looser: where terms cancel, as in a torus, so do their bends, but not errors.
+/// Tight to third order: `error` shrinks with the cube of the box, down to the rounding at its points. A model of
+/// order 1 would be cheaper, but looser: where terms cancel, as in a torus, so do their bends, but not their errors.
 /// This is a Taylor model of order 2 [Berz, Makino] around floating-point values.
 template <int d>
 struct TaylorModel {
@@ -86,8 +87,9 @@ struct TaylorModel {
   }
 };
 
-/// The bound of {f <= 0} over a box, from the model of f in TaylorModel::variables(box). What bends is taken into the
-/// error: 2 |x_j x_k| <= x_j^2 + x_k^2, so that each x_j^2 in [0, 1] has a least and a greatest coefficient.
+/// The bound of {f <= 0} over a box, from the model of f in TaylorModel::variables(box). What bends is replaced by
+/// the middle of its range, and its reach from there is part of the error: since 2 |x_j x_k| <= x_j^2 + x_k^2, each
+/// x_j^2 in [0, 1] has a least and a greatest coefficient.
 template <int d>
 AffineBound<d> bound_of(const TaylorModel<d>& f, const RealBox<d>& box) {
   const std::array<TaylorModel<d>, d> variables = TaylorModel<d>::variables(box);
@@ -95,12 +97,16 @@ AffineBound<d> bound_of(const TaylorModel<d>& f, const RealBox<d>& box) {
   std::array<double, d> least{}, greatest{};
   for (std::size_t j = 0, pair = 0; j < d; ++j)
     for (std::size_t k = j; k < d; ++k, ++pair) {
-      const double half = j == k ? f.bend[pair] : std::abs(f.bend[pair]) / 2;
-      least[j] += j == k ? half : -half;
-      greatest[j] += half;
-      if (j == k) continue;
-      least[k] -= half;
-      greatest[k] += half;
+      if (j == k) {
+        least[j] += f.bend[pair];
+        greatest[j] += f.bend[pair];
+        continue;
+      }
+      const double half = std::abs(f.bend[pair]) / 2;
+      for (const std::size_t i : {j, k}) {
+        least[i] -= half;
+        greatest[i] += half;
+      }
     }
   bound.value = f.value;
   bound.error = f.error + TaylorModel<d>::kRounding * f.magnitude();

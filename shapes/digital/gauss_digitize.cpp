@@ -130,7 +130,7 @@ class Digitizer {
   static constexpr int kSmallest = d == 2 ? 16 : 64, kOpenShare = 8;
 
   /// Splits a cube of bricks, `side_length` a power of two, until its parts are decided or single bricks.
-  /// @param of_whole the bound of a cube that this one is part of
+  /// @param of_whole the bound of a cube that this one is part of, or one that decides nothing
   void split_bricks(const LatticePoint<d>& first, int side_length, const AffineBound<d>& of_whole,
                     Page<d>& page) {
     constexpr std::int32_t kFull = DigitalSet<d>::kFull;

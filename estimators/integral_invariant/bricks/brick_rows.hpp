@@ -1,7 +1,6 @@
 #pragma once
 
-#include <algorithm>
-#include <span>
+#include <cstdint>
 #include <vector>
 
 #include "estimators/integral_invariant/bricks/exact_sums.hpp"
@@ -38,9 +37,9 @@ class BrickRows {
     return index;
   }
 
-  /// The runs of a row go from left to right; behind them lies a sentinel at infinity, with all points before it. This is
-  /// the first run, or the sentinel, that ends behind brick x. `last` is where the row's last one was found, or 0: the
-  /// search goes from there, since successive ones are close to each other.
+  /// The runs of a row go from left to right; behind them lies a sentinel at infinity, with all points before it.
+  /// This is the first run, or the sentinel, that ends behind brick x. `last` is where the row's last one was
+  /// found, or 0: the search goes from there, since successive ones are close to each other.
   const Run* find(std::size_t row, int x, std::uint32_t& last) const {
     const Run *const first = runs_.data() + row_begin_[row], *run = first + last;
     while (run->end <= x) ++run;

@@ -1,6 +1,7 @@
 #include "estimators/integral_invariant/bricks/full_row_sums.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace gridstep::bricks {
 
@@ -13,7 +14,7 @@ FullRowSums<d, Sum>::FullRowSums(const BallRows<d>& ball)
       planes_(ball.sides().size() + 1) {
   for (int line = 0; line < Lines<d>::kCount; ++line) {
     const auto* widths = ball.widths(line);
-    /// Adds a stretch of each line of a row, the one that begin_and_end(width) says, x counted from the spel.
+    // Adds a stretch of each line of a row, the one that begin_and_end(width) says, x counted from the spel.
     const auto add_lines = [&](Sum& sum, std::size_t row, auto begin_and_end) {
       for (int other = 0; other < Lines<d>::kCount; ++other) {
         const auto [begin, end] = begin_and_end(int(widths[row].of[std::size_t(other)]));

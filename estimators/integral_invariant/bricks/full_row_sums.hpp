@@ -8,10 +8,13 @@
 
 namespace gridstep::bricks {
 
-/// What a ball has in full rows of bricks, and in full sides of them: prefix sums over the rows for every alignment of the
-/// lines. That an alignment along x needs none of its own, sides are counted from the spel on, x > 0, and what is too much
-/// is known for a source brick (Surplus). Rows of the middle that others may follow (reach = kMostBricks) are not to be
-/// asked for: their points are not all their own; nor are those that follow.
+/// What a ball has in full rows of bricks, and in full sides of them: prefix sums over the rows for every
+/// alignment of the lines. Sides are counted from the spel on, x > 0, so that an alignment along x needs no sums
+/// of its own; what is too much is known for a source brick (Surplus).
+///
+/// The parts of a whole row are to be asked for all together: here they are cut where the spel sees them, not
+/// between bricks. Rows of the middle that others may follow (reach = kMostBricks) are not to be asked for, nor
+/// are those that follow: their points are not all their own.
 ///
 /// Memory: 64 (2D: 8) sums for each row of the middle, twice as many for each other one.
 template <int d, class Sum>
@@ -19,8 +22,8 @@ class FullRowSums {
  public:
   explicit FullRowSums(const BallRows<d>& ball);
 
-  /// What sum() has too much: the points between a spel and the sides that are full, those of the spel's x on the left too
-  /// where the ball is skew. Positions are taken from the source brick.
+  /// What sum() has too much: the points between a spel and the sides that are full, on the left those at the
+  /// spel's x too where the ball is skew. Positions are taken from the source brick.
   class Surplus {
    public:
     Sum of(int bit) const {

@@ -18,8 +18,8 @@ struct CutRow {
   const typename BrickRows<d, Sum>::Run *first, *last;
 };
 
-/// Successive rows that are full, counted in BallRows::rows(), or sides that are, counted in sides(); `end` excluded. They
-/// are summed up in FullRowSums.
+/// Successive rows that are full, counted in BallRows::rows(), or sides that are, counted in sides(); `end`
+/// excluded. A whole row has all its parts among them. They are summed up in FullRowSums.
 struct FullRows {
   std::uint32_t begin, end;
 };

@@ -21,7 +21,7 @@ class SpelsByBrick {
     std::array<std::uint16_t, 8> before{};  ///< spels in earlier words
     Brick<d> spels{};
   };
-  /// Where the last spels were found: successive ones are mostly in one brick.
+  /// Where the last spel was found: successive ones are mostly in one brick.
   struct Memo {
     LatticePoint<d> brick = LatticePoint<d>::Constant(std::numeric_limits<int>::min());
     std::uint32_t source = 0;
