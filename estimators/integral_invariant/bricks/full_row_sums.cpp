@@ -51,14 +51,11 @@ FullRowSums<d, Sum>::FullRowSums(const BallRows<d>& ball)
   Sum bricks, plane;
   for (std::size_t i = 0; i < ball.sides().size(); ++i) {
     const auto& row = ball.sides()[i];
-    const LatticePoint<d> first = Brick<d>::origin(row.brick);
-    LatticePoint<d> extent;
-    for (int k = 0; k < d; ++k) extent[k] = Brick<d>::extent(k);
     if (row.whole) {
-      extent[0] = row.base();
-      add_box(bricks, first, extent);
-      extent[0] = 1;
-      add_box(plane, first, extent);
+      BrickRows<d, Sum>::add_full(bricks, row.brick, 0, row.near);
+      LatticePoint<d> extent = LatticePoint<d>::Ones();
+      for (int k = 1; k < d; ++k) extent[k] = Brick<d>::extent(k);
+      add_box(plane, Brick<d>::origin(row.brick), extent);
     }
     up_to_sides_[i + 1] = bricks;
     planes_[i + 1] = plane;
