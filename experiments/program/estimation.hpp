@@ -8,7 +8,7 @@
 
 #include "estimators/catalogue.hpp"
 #include "experiments/program/estimate_options.hpp"
-#include "shapes/base/affine_bound.hpp"
+#include "shapes/base/quadratic_bound.hpp"
 #include "shapes/files/surfel_table.hpp"
 
 // What gridstep estimate does alike on shapes, images and volumes.

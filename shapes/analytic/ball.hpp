@@ -17,7 +17,7 @@ class Ball final : public Shape<d> {
   RealBox<d> local_bounds() const override {
     return {RealPoint<d>::Constant(-radius_), RealPoint<d>::Constant(radius_)};
   }
-  AffineBound<d> local_bound(const RealBox<d>& box) const override {
+  QuadraticBound<d> local_bound(const RealBox<d>& box) const override {
     TaylorModel<d> squared;
     for (const TaylorModel<d>& x : TaylorModel<d>::variables(box)) squared = squared + square(x);
     return bound_of(squared - TaylorModel<d>(radius_ * radius_), box);

@@ -22,8 +22,8 @@ class ConvexPolytope final : public Shape<d> {
  protected:
   RealBox<d> local_bounds() const override { return bounds_; }
 
-  AffineBound<d> local_bound(const RealBox<d>& box) const override {
-    AffineBound<d> bound = AffineBound<d>::constant(Side::inside);
+  QuadraticBound<d> local_bound(const RealBox<d>& box) const override {
+    QuadraticBound<d> bound = QuadraticBound<d>::constant(Side::inside);
     for (const Face& face : faces_)
       bound = intersection(bound, half_space_bound<d>(face.normal, face.offset, box), box);
     return bound;

@@ -18,9 +18,9 @@ class Cylinder final : public Shape<3> {
     const RealPoint<3> corner(radius_, radius_, half_height_);
     return {-corner, corner};
   }
-  AffineBound<3> local_bound(const RealBox<3>& box) const override {
+  QuadraticBound<3> local_bound(const RealBox<3>& box) const override {
     const auto [x, y, z] = TaylorModel<3>::variables(box);
-    AffineBound<3> bound = bound_of(square(x) + square(y) - TaylorModel<3>(radius_ * radius_), box);
+    QuadraticBound<3> bound = bound_of(square(x) + square(y) - TaylorModel<3>(radius_ * radius_), box);
     for (const double sign : {-1.0, 1.0})
       bound = intersection(bound, half_space_bound<3>(sign * RealPoint<3>::UnitZ(), half_height_, box), box);
     return bound;

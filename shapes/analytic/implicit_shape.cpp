@@ -61,9 +61,9 @@ std::uint64_t ImplicitShape<d>::local_inside(std::span<const RealPoint<d>> point
 }
 
 template <int d>
-AffineBound<d> ImplicitShape<d>::local_bound(const RealBox<d>& box) const {
+QuadraticBound<d> ImplicitShape<d>::local_bound(const RealBox<d>& box) const {
   const std::array<TaylorModel<d>, d> variables = TaylorModel<d>::variables(box);
-  AffineBound<d> bound = bound_of(formula_(std::span<const TaylorModel<d>>(variables)), box);
+  QuadraticBound<d> bound = bound_of(formula_(std::span<const TaylorModel<d>>(variables)), box);
   if (!cut_ || box_.contains(box)) return bound;
   for (int k = 0; k < d; ++k)
     for (const double sign : {-1.0, 1.0}) {

@@ -26,7 +26,7 @@ class ImplicitShape final : public Shape<d> {
 
  protected:
   RealBox<d> local_bounds() const override { return box_; }
-  AffineBound<d> local_bound(const RealBox<d>& box) const override;
+  QuadraticBound<d> local_bound(const RealBox<d>& box) const override;
   std::uint64_t local_inside(std::span<const RealPoint<d>> points) const override;
   std::optional<BoundaryPoint<d>> local_project(const RealPoint<d>& query, double within) const override;
 

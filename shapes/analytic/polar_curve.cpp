@@ -29,15 +29,15 @@ RealBox<2> PolarCurve::local_bounds() const {
 
 /// Taylor's formula for f(p) = |p| - rho(arg p) around the middle of the box. In the frame of the radius r and
 /// across it, grad f = (1, -rho'/r), and the Hessian is (0, rho'/r^2; rho'/r^2, 1/r - rho''/r^2).
-AffineBound<2> PolarCurve::local_bound(const RealBox<2>& box) const {
+QuadraticBound<2> PolarCurve::local_bound(const RealBox<2>& box) const {
   const RealPoint<2> middle = box.center();
   const double reach = (box.max() - middle).cwiseMax(middle - box.min()).norm() * (1 + 1e-12);
   const double distance = middle.norm(), nearest = distance - reach;
   // Of hypot, atan2 and rho, whose derivative amplifies the rounding of the angle.
   const double slack = 1e-12 * bounds_.greatest + 1e-14 * bounds_.steepest;
-  if (nearest > bounds_.greatest + slack) return AffineBound<2>::constant(Side::outside);
-  if (distance + reach < bounds_.least - slack) return AffineBound<2>::constant(Side::inside);
-  if (!(nearest > 0)) return AffineBound<2>::constant(Side::crossing);
+  if (nearest > bounds_.greatest + slack) return QuadraticBound<2>::constant(Side::outside);
+  if (distance + reach < bounds_.least - slack) return QuadraticBound<2>::constant(Side::inside);
+  if (!(nearest > 0)) return QuadraticBound<2>::constant(Side::crossing);
   const double t = std::atan2(middle[1], middle[0]);
   const double angular_reach = std::asin(reach / distance) * (1 + 1e-12);
   const PolarRadius r = radius_at(t);
@@ -45,7 +45,7 @@ AffineBound<2> PolarCurve::local_bound(const RealBox<2>& box) const {
   const double steepest = std::min(bounds_.steepest, std::abs(r.first) + sharpest * angular_reach);
   const RealPoint<2> radial = middle / distance, across(-radial[1], radial[0]);
   const double hessian = 1 / nearest + (sharpest + steepest) / (nearest * nearest);
-  return {middle, distance - r.rho, radial - (r.first / distance) * across,
+  return {middle, distance - r.rho, radial - (r.first / distance) * across, RealMatrix<2>::Zero(),
           hessian * reach * reach / 2 * (1 + 1e-12) + slack};
 }
 

@@ -33,7 +33,7 @@ class PolarCurve : public Shape<2> {
   }
 
   RealBox<2> local_bounds() const override;
-  AffineBound<2> local_bound(const RealBox<2>& box) const override;
+  QuadraticBound<2> local_bound(const RealBox<2>& box) const override;
   std::uint64_t local_inside(std::span<const RealPoint<2>> points) const override;
   std::optional<BoundaryPoint<2>> local_project(const RealPoint<2>& query, double within) const override;
 

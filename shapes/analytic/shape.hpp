@@ -41,8 +41,8 @@ class Shape : public Region<d> {
     const RealBox<d> box = local_bounds();
     return {box.min() + centre_, box.max() + centre_};
   }
-  AffineBound<d> bound(const RealBox<d>& box) const final {
-    AffineBound<d> bound = local_bound({box.min() - centre_, box.max() - centre_});
+  QuadraticBound<d> bound(const RealBox<d>& box) const final {
+    QuadraticBound<d> bound = local_bound({box.min() - centre_, box.max() - centre_});
     bound.centre += centre_;
     bound.error += bound.rounding(greatest_coordinate(box) + centre_.template lpNorm<Eigen::Infinity>());
     return bound;
@@ -70,7 +70,7 @@ class Shape : public Region<d> {
 
  protected:
   virtual RealBox<d> local_bounds() const = 0;
-  virtual AffineBound<d> local_bound(const RealBox<d>& box) const = 0;
+  virtual QuadraticBound<d> local_bound(const RealBox<d>& box) const = 0;
   virtual std::uint64_t local_inside(std::span<const RealPoint<d>> points) const = 0;
   /// `within` is where to search; project() checks the outcome, so an implementation need not.
   virtual std::optional<BoundaryPoint<d>> local_project(const RealPoint<d>& query, double within) const = 0;

@@ -15,7 +15,7 @@ namespace gridstep {
 template <int d>
 struct Placement {
   RealPoint<d> shift = RealPoint<d>::Zero();
-  Eigen::Matrix<double, d, d> rotation = Eigen::Matrix<double, d, d>::Identity();
+  RealMatrix<d> rotation = RealMatrix<d>::Identity();
 
   bool rotated() const { return !rotation.isIdentity(0.0); }
 
@@ -42,7 +42,7 @@ RealPoint<d> random_shift(RandomStream& random) {
 /// Uniform over all rotations: a uniform angle in 2D, a uniform unit quaternion in 3D [Shoemake, Graphics
 /// Gems III].
 template <int d>
-Eigen::Matrix<double, d, d> random_rotation(RandomStream& random) {
+RealMatrix<d> random_rotation(RandomStream& random) {
   if constexpr (d == 2) {
     return Eigen::Rotation2Dd(2 * std::numbers::pi * random.uniform()).toRotationMatrix();
   } else {
@@ -69,13 +69,14 @@ class PlacedRegion final : public Region<d> {
     if (!rotated_) return {box.min() + shift_, box.max() + shift_};
     return turned(box, rotation_, RealPoint<d>::Zero(), shift_);
   }
-  /// The function is turned with the region, so that a rotation costs no tightness to first order.
-  AffineBound<d> bound(const RealBox<d>& box) const override {
-    AffineBound<d> bound;
+  /// The function is turned with the region, so that a rotation costs no tightness to second order.
+  QuadraticBound<d> bound(const RealBox<d>& box) const override {
+    QuadraticBound<d> bound;
     if (rotated_) {
       bound = region_.bound(turned(box, rotation_.transpose(), shift_, RealPoint<d>::Zero()));
       bound.centre = rotation_ * bound.centre;
       bound.slope = rotation_ * bound.slope;
+      bound.bend = rotation_ * bound.bend * rotation_.transpose();
     } else {
       bound = region_.bound({box.min() - shift_, box.max() - shift_});
     }
@@ -97,11 +98,9 @@ class PlacedRegion final : public Region<d> {
   }
 
  private:
-  using Matrix = Eigen::Matrix<double, d, d>;
-
   /// A box around the image of a box under x -> matrix (x - before) + after. A rotation is not monotone under
   /// rounding: the image is widened by far more than the rounding of a matrix product.
-  static RealBox<d> turned(const RealBox<d>& box, const Matrix& matrix, const RealPoint<d>& before,
+  static RealBox<d> turned(const RealBox<d>& box, const RealMatrix<d>& matrix, const RealPoint<d>& before,
                            const RealPoint<d>& after) {
     const RealPoint<d> image = matrix * (box.center() - before) + after;
     const double slack =
@@ -112,7 +111,7 @@ class PlacedRegion final : public Region<d> {
 
   const Region<d>& region_;
   RealPoint<d> shift_;
-  Matrix rotation_;
+  RealMatrix<d> rotation_;
   bool rotated_;
 };
 

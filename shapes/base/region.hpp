@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-#include "shapes/base/affine_bound.hpp"
+#include "shapes/base/quadratic_bound.hpp"
 
 namespace gridstep {
 
@@ -19,8 +19,8 @@ class Region {
   virtual RealBox<d> bounds() const = 0;
 
   /// What is known of inside() over a box. Digitization calls for O(h^-(d-1)) points and boxes where the
-  /// error shrinks with the square of the box; small enough boxes may stay undecided.
-  virtual AffineBound<d> bound(const RealBox<d>& box) const = 0;
+  /// error shrinks at least with the square of the box; small enough boxes may stay undecided.
+  virtual QuadraticBound<d> bound(const RealBox<d>& box) const = 0;
 
   /// Conservative: `inside` (`outside`) only where inside() is true (false) at every double point of the box.
   Side side(const RealBox<d>& box) const { return bound(box).side(box); }

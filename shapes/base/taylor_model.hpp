@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "shapes/base/affine_bound.hpp"
+#include "shapes/base/quadratic_bound.hpp"
 
 namespace gridstep {
 
@@ -20,104 +20,102 @@ namespace gridstep {
 /// This is a Taylor model of order 2 [Berz, Makino] around floating-point values.
 template <int d>
 struct TaylorModel {
-  double value = 0;
-  std::array<double, d> slope{};
-  std::array<double, d*(d + 1) / 2> bend{};  ///< in 3D of xx, xy, xz, yy, yz, zz
+  static constexpr int kPairs = d * (d + 1) / 2;
+
+  using Terms = Eigen::Array<double, 1 + d + kPairs, 1>;
+
+  Terms terms = Terms::Zero();  ///< the value, the slopes, and the bends: in 3D of xx, xy, xz, yy, yz, zz
   double error = 0;
+  double magnitude = 0;  ///< a bound on the absolute value over the box
+
+  double value() const { return terms[0]; }
+  auto slope() const { return terms.template segment<d>(1); }
+  auto bend() const { return terms.template tail<kPairs>(); }
 
   // An operation rounds its result in doubles, and each number of its model, by a few units of 1.1e-16.
   static constexpr double kRounding = 1e-14, kUnderflow = 1e-300;
 
   TaylorModel() = default;
-  explicit TaylorModel(double constant) : value(constant) {}
+  explicit TaylorModel(double constant) : magnitude(std::abs(constant)) { terms[0] = constant; }
 
-  static TaylorModel variable(double lo, double hi, int k) {
-    TaylorModel x(lo + (hi - lo) / 2);
-    x.slope[std::size_t(k)] = std::max(hi - x.value, x.value - lo);
-    return x;
-  }
   static std::array<TaylorModel, d> variables(const RealBox<d>& box) {
+    const RealPoint<d> middle = box.center(), reach = reach_of(box);
     std::array<TaylorModel, d> result;
-    for (int k = 0; k < d; ++k) result[std::size_t(k)] = variable(box.min()[k], box.max()[k], k);
+    for (int k = 0; k < d; ++k) {
+      TaylorModel& x = result[std::size_t(k)];
+      x.terms[0] = middle[k];
+      x.terms[1 + k] = reach[k];
+      x.magnitude = std::abs(middle[k]) + reach[k];
+    }
     return result;
   }
+  /// How far the box reaches from its middle.
+  static RealPoint<d> reach_of(const RealBox<d>& box) {
+    return (box.max() - box.center()).cwiseMax(box.center() - box.min());
+  }
 
-  /// A bound on the absolute value over the box.
-  double magnitude() const { return std::abs(value) + error + sum(slope) + sum(bend); }
-
-  friend TaylorModel operator+(const TaylorModel& a, const TaylorModel& b) { return combined(a, b, 1); }
-  friend TaylorModel operator-(const TaylorModel& a, const TaylorModel& b) { return combined(a, b, -1); }
+  friend TaylorModel operator+(const TaylorModel& a, const TaylorModel& b) {
+    return {a.terms + b.terms, a.error + b.error + kRounding * (a.magnitude + b.magnitude)};
+  }
+  friend TaylorModel operator-(const TaylorModel& a, const TaylorModel& b) {
+    return {a.terms - b.terms, a.error + b.error + kRounding * (a.magnitude + b.magnitude)};
+  }
   friend TaylorModel operator*(const TaylorModel& a, const TaylorModel& b) {
-    TaylorModel c(a.value * b.value);
-    for (std::size_t j = 0, pair = 0; j < d; ++j) {
-      c.slope[j] = a.value * b.slope[j] + b.value * a.slope[j];
-      for (std::size_t k = j; k < d; ++k, ++pair)
-        c.bend[pair] = a.value * b.bend[pair] + b.value * a.bend[pair] + a.slope[j] * b.slope[k] +
-                       (j == k ? 0 : a.slope[k] * b.slope[j]);
-    }
-    const double slope_a = sum(a.slope), slope_b = sum(b.slope), bend_a = sum(a.bend), bend_b = sum(b.bend);
-    const double greatest_a = a.magnitude(), greatest_b = b.magnitude();
-    c.error = slope_a * bend_b + bend_a * slope_b + bend_a * bend_b + a.error * greatest_b +
-              b.error * greatest_a + kRounding * greatest_a * greatest_b + kUnderflow;
+    TaylorModel c;
+    c.terms[0] = a.value() * b.value();
+    for (int k = 1; k <= d; ++k) c.terms[k] = a.value() * b.terms[k] + b.value() * a.terms[k];
+    for (int j = 1, pair = 1 + d; j <= d; ++j)
+      for (int k = j; k <= d; ++k, ++pair)
+        c.terms[pair] = a.value() * b.terms[pair] + b.value() * a.terms[pair] + a.terms[j] * b.terms[k] +
+                        (j == k ? 0 : a.terms[k] * b.terms[j]);
+    const double bend_a = a.bend().abs().sum(), bend_b = b.bend().abs().sum();
+    c.set_error(a.slope().abs().sum() * bend_b + bend_a * (b.slope().abs().sum() + bend_b) +
+                a.error * b.magnitude + b.error * a.magnitude + kRounding * a.magnitude * b.magnitude +
+                kUnderflow);
     return c;
   }
   friend TaylorModel scaled(const TaylorModel& a, double factor) {
-    TaylorModel c(a.value * factor);
-    for (std::size_t k = 0; k < a.slope.size(); ++k) c.slope[k] = a.slope[k] * factor;
-    for (std::size_t k = 0; k < a.bend.size(); ++k) c.bend[k] = a.bend[k] * factor;
-    c.error = std::abs(factor) * (a.error + kRounding * a.magnitude()) + kUnderflow;
+    return {a.terms * factor, std::abs(factor) * (a.error + kRounding * a.magnitude) + kUnderflow};
+  }
+  friend TaylorModel square(const TaylorModel& a) {
+    const double twice = 2 * a.value();
+    TaylorModel c;
+    c.terms[0] = a.value() * a.value();
+    for (int k = 1; k <= d; ++k) c.terms[k] = twice * a.terms[k];
+    for (int j = 1, pair = 1 + d; j <= d; ++j)
+      for (int k = j; k <= d; ++k, ++pair)
+        c.terms[pair] = twice * a.terms[pair] + (j == k ? 1 : 2) * a.terms[j] * a.terms[k];
+    const double bend = a.bend().abs().sum();
+    c.set_error(bend * (2 * a.slope().abs().sum() + bend) + 2 * a.error * a.magnitude +
+                kRounding * a.magnitude * a.magnitude + kUnderflow);
     return c;
   }
-  friend TaylorModel square(const TaylorModel& a) { return a * a; }
 
  private:
-  template <std::size_t n>
-  static double sum(const std::array<double, n>& numbers) {
-    double result = 0;
-    for (const double number : numbers) result += std::abs(number);
-    return result;
+  template <class Expression>
+  TaylorModel(const Expression& terms_, double error_) : terms(terms_) {
+    set_error(error_);
   }
-  static TaylorModel combined(const TaylorModel& a, const TaylorModel& b, double sign) {
-    TaylorModel c(a.value + sign * b.value);
-    for (std::size_t k = 0; k < a.slope.size(); ++k) c.slope[k] = a.slope[k] + sign * b.slope[k];
-    for (std::size_t k = 0; k < a.bend.size(); ++k) c.bend[k] = a.bend[k] + sign * b.bend[k];
-    c.error = a.error + b.error;
-    c.error += kRounding * (a.magnitude() + b.magnitude());
-    return c;
+  void set_error(double e) {
+    error = e;
+    magnitude = terms.abs().sum() + e;
   }
 };
 
-/// The bound of {f <= 0} over a box, from the model of f in TaylorModel::variables(box). What bends is replaced by
-/// the middle of its range, and its reach from there is part of the error: since 2 |x_j x_k| <= x_j^2 + x_k^2, each
-/// x_j^2 in [0, 1] has a least and a greatest coefficient.
+/// The bound of {f <= 0} over a box, from the model of f in TaylorModel::variables(box).
 template <int d>
-AffineBound<d> bound_of(const TaylorModel<d>& f, const RealBox<d>& box) {
-  const std::array<TaylorModel<d>, d> variables = TaylorModel<d>::variables(box);
-  AffineBound<d> bound;
-  std::array<double, d> least{}, greatest{};
-  for (std::size_t j = 0, pair = 0; j < d; ++j)
-    for (std::size_t k = j; k < d; ++k, ++pair) {
-      if (j == k) {
-        least[j] += f.bend[pair];
-        greatest[j] += f.bend[pair];
-        continue;
-      }
-      const double half = std::abs(f.bend[pair]) / 2;
-      for (const std::size_t i : {j, k}) {
-        least[i] -= half;
-        greatest[i] += half;
-      }
-    }
-  bound.value = f.value;
-  bound.error = f.error + TaylorModel<d>::kRounding * f.magnitude();
-  for (int k = 0; k < d; ++k) {
-    const double lo = std::min(least[std::size_t(k)], 0.0), hi = std::max(greatest[std::size_t(k)], 0.0);
-    bound.value += (hi + lo) / 2;
-    bound.error += (hi - lo) / 2;
-    const double reach = variables[std::size_t(k)].slope[std::size_t(k)];
-    bound.centre[k] = variables[std::size_t(k)].value;
-    bound.slope[k] = reach > 0 ? f.slope[std::size_t(k)] / reach : 0;
-  }
+QuadraticBound<d> bound_of(const TaylorModel<d>& f, const RealBox<d>& box) {
+  const RealPoint<d> reach = TaylorModel<d>::reach_of(box);
+  QuadraticBound<d> bound;
+  bound.centre = box.center();
+  bound.value = f.value();
+  bound.error = f.error + TaylorModel<d>::kRounding * f.magnitude;
+  RealPoint<d> in_reach;
+  for (int k = 0; k < d; ++k) in_reach[k] = reach[k] > 0 ? 1 / reach[k] : 0;
+  bound.slope = f.slope().matrix().cwiseProduct(in_reach);
+  for (int j = 0, pair = 0; j < d; ++j)
+    for (int k = j; k < d; ++k, ++pair)
+      bound.bend(j, k) = bound.bend(k, j) = f.bend()[pair] * (j == k ? 1 : 0.5) * in_reach[j] * in_reach[k];
   return bound;
 }
 

@@ -86,7 +86,11 @@ struct alignas(64) Brick {
     const TwoWords pairs = (bytes & 0x00ff00ff00ff00ffu) + ((bytes >> 8) & 0x00ff00ff00ff00ffu);
     return int((pairs[0] + pairs[1]) * 0x0001000100010001u >> 48);
   }
-  friend bool operator==(const Brick&, const Brick&) = default;
+  friend bool operator==(const Brick& a, const Brick& b) {
+    std::uint64_t different = 0;
+    for (std::size_t i = 0; i < a.words.size(); ++i) different |= a.words[i] ^ b.words[i];
+    return different == 0;
+  }
 };
 
 /// Calls visit(bit) for every set bit, in increasing order.

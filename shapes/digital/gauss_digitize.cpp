@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "shapes/base/parallel.hpp"
+#include "shapes/digital/brick_levels.hpp"
 
 namespace gridstep {
 
@@ -18,14 +18,6 @@ template <int d>
 struct Decided {
   Brick<d> inside, open;
 };
-
-// Of GCC and Clang, on every processor: one operation on eight numbers. GCC 12 finds no such form by itself.
-using EightShorts [[gnu::vector_size(16)]] = std::int16_t;
-
-EightShorts eight_of(int number) {
-  const auto n = std::int16_t(number);
-  return EightShorts{n, n, n, n, n, n, n, n};
-}
 
 /// The bits of a block of points within one brick.
 template <int d>
@@ -40,55 +32,36 @@ Brick<d> bits_of(const LatticeBox<d>& block) {
   return bits;
 }
 
-/// What a bound says of the points of a block within a brick: open are those where |L| may be within the bound's error and
+/// What a bound says of the points of a block within a brick: open are those where |Q| may be within the bound's error and
 /// the rounding here.
-///
-/// Compares in short integers, of which a vector has eight, one for each word: kGreatest units are more than |L| and the
-/// error come to in the brick, so that what is cut off leaves hardly more points open.
 template <int d>
-Decided<d> decide(const LatticeBox<d>& block, const AffineBound<d>& bound, double h) {
-  constexpr double kGreatest = 32000;
-  constexpr int kCutOff = 3;  // units: less than one for each of the numbers that are added up
-  static_assert(kGreatest + kCutOff + 1 <= std::numeric_limits<std::int16_t>::max());
-  constexpr int kLines = d == 3 ? Brick<d>::extent(1) : 1;
+Decided<d> decide(const LatticeBox<d>& block, const QuadraticBound<d>& bound, double h) {
   const LatticePoint<d> corner = Brick<d>::origin(Brick<d>::of(block.lo));
-  const RealPoint<d> first = h * corner.template cast<double>(), step = h * bound.slope;
-  RealPoint<d> last = first;
-  for (int k = 0; k < d; ++k) last[k] += h * (Brick<d>::extent(k) - 1);
-  const double margin = bound.error + bound.rounding(greatest_coordinate<d>({first, last}));
-  const double at_first = bound.value + bound.slope.dot(first - bound.centre);
-  double greatest = std::abs(at_first) + margin;
-  for (int k = 0; k < d; ++k) greatest += (Brick<d>::extent(k) - 1) * std::abs(step[k]);
-  const double units = kGreatest / greatest;  // in one
+  const RealPoint<d> first = h * corner.template cast<double>();
+  RealPoint<d> size;  // in steps
+  for (int k = 0; k < d; ++k) size[k] = Brick<d>::extent(k) - 1;
+  const RealPoint<d> step = h * bound.gradient(first), last = first + h * size;
+  const RealMatrix<d> bend = h * h * bound.bend;
+  const double at_first = bound(first),
+               margin = bound.error + bound.rounding(greatest_coordinate<d>({first, last}));
+  const double greatest =
+      std::abs(at_first) + step.cwiseAbs().dot(size) + size.dot(bend.cwiseAbs() * size) + margin;
   Decided<d> result;
   result.open = bits_of(block);
-  if (!std::isnormal(greatest) || !std::isnormal(units)) return result;
+  const double unit = 1 / greatest;
+  if (!std::isnormal(greatest) || !std::isnormal(unit)) return result;
 
-  const auto in_units = [units](double value) { return std::int16_t(value * units); };
-  const std::int16_t within = std::int16_t(in_units(margin) + 1 + kCutOff);
-  std::array<EightShorts, kLines> levels;  // of the words' points at x = 0
-  for (int y = 0; y < kLines; ++y)
-    for (int w = 0; w < 8; ++w)
-      levels[std::size_t(y)][w] = std::int16_t(in_units(at_first + w * step[d - 1]) + in_units(y * step[1]));
-  std::array<EightShorts, 4> inside{}, outside{};  // 16 bits of each word
-  for (int x = 0; x < Brick<d>::extent(0); ++x) {
-    const std::int16_t along = in_units(x * step[0]);
-    const EightShorts low = eight_of(-within - along), high = eight_of(within - along);
-    for (int y = 0; y < kLines; ++y) {
-      const EightShorts bit = eight_of(1 << ((x + 8 * y) % 16));
-      const auto part = std::size_t(x + 8 * y) / 16;
-      inside[part] |= (levels[std::size_t(y)] < low) & bit;
-      outside[part] |= (levels[std::size_t(y)] > high) & bit;
-    }
+  BrickLevels<d> levels;
+  levels.constant = float(at_first * unit);
+  for (std::size_t j = 0, pair = 0; j < d; ++j) {
+    levels.linear[j] = float(step[Eigen::Index(j)] * unit);
+    for (std::size_t k = j; k < d; ++k)
+      levels.square[pair++] = float((j == k ? 1 : 2) * bend(Eigen::Index(j), Eigen::Index(k)) * unit);
   }
+  const ComparedLevels<d> compared = compare(levels, float(margin * unit) + BrickLevels<d>::kRounding);
   for (std::size_t w = 0; w < 8; ++w) {
-    std::uint64_t in = 0, out = 0;
-    for (std::size_t part = 4; part-- > 0;) {
-      in = in << 16 | std::uint16_t(inside[part][w]);
-      out = out << 16 | std::uint16_t(outside[part][w]);
-    }
-    result.inside.words[w] = in & result.open.words[w];
-    result.open.words[w] &= ~in & ~out;
+    result.inside.words[w] = compared.below.words[w] & result.open.words[w];
+    result.open.words[w] &= ~compared.below.words[w] & ~compared.above.words[w];
   }
   return result;
 }
@@ -107,82 +80,113 @@ class Digitizer {
  public:
   Digitizer(const Region<d>& region, GridStep h) : region_(region), h_(h.value) {}
 
-  AffineBound<d> bound(const LatticeBox<d>& points) {
+  QuadraticBound<d> bound(const LatticeBox<d>& points) {
     ++work.boxes;
     return region_.bound(real(points));
   }
-  Side side(const LatticeBox<d>& points, const AffineBound<d>& bound) const {
+  Side side(const LatticeBox<d>& points, const QuadraticBound<d>& bound) const {
     return bound.side(real(points));
   }
 
   void digitize(const LatticePoint<d>& page, Page<d>& result) {
     result.states.assign(DigitalSet<d>::kBricksInPage, DigitalSet<d>::kEmpty);
     result.bricks.clear();
-    split_bricks(page * DigitalSet<d>::kPageSide, DigitalSet<d>::kPageSide, AffineBound<d>{}, result);
+    split_bricks({page * DigitalSet<d>::kPageSide, DigitalSet<d>::kPageSide}, {}, false, result);
+    sample(result.bricks);
+    keep_cut_bricks(result);
     result.work = work;
   }
 
   DigitizationWork work;
 
  private:
-  static constexpr double kSharp = 0.25;  // cells
-  /// Points in a block that is not split further, and the part of a block that may stay open.
-  static constexpr int kSmallest = d == 2 ? 16 : 64, kOpenShare = 8;
+  static constexpr double kSharp = 0.1;  // cells
+  static constexpr int kMostOpen = 40;   // points, in a block that is not split further
+  /// Points that Region::inside() takes at once.
+  static constexpr std::size_t kBatch = 64;
 
-  /// Splits a cube of bricks, `side_length` a power of two, until its parts are decided or single bricks.
-  /// @param of_whole the bound of a cube that this one is part of, or one that decides nothing
-  void split_bricks(const LatticePoint<d>& first, int side_length, const AffineBound<d>& of_whole,
-                    Page<d>& page) {
-    constexpr std::int32_t kFull = DigitalSet<d>::kFull;
-    const auto state_of = [&](const LatticePoint<d>& brick) -> std::int32_t& {
-      return page.states[std::size_t(DigitalSet<d>::index_in_page(brick))];
-    };
-    const LatticePoint<d> behind = first.array() + side_length;
-    const LatticeBox<d> points{Brick<d>::origin(first), Brick<d>::origin(behind).array() - 1};
-    // The bound of the whole decides most parts that the boundary does not cross.
-    Side where = side(points, of_whole);
-    const bool is_enough = where != Side::crossing || sharp(of_whole);
-    const AffineBound<d> own = is_enough ? of_whole : bound(points);
-    if (!is_enough) where = side(points, own);
-    if (where == Side::outside) return;
-    if (where == Side::inside) {
-      for_each_point(LatticeBox<d>{first, behind.array() - 1},
-                     [&](const LatticePoint<d>& brick) { state_of(brick) = kFull; });
-      return;
+  /// A cube of bricks, the side a power of two.
+  struct Cube {
+    LatticePoint<d> first;
+    int side_length;
+
+    LatticeBox<d> points() const {
+      const LatticePoint<d> behind = first.array() + side_length;
+      return {Brick<d>::origin(first), Brick<d>::origin(behind).array() - 1};
     }
-    if (side_length == 1) {
+    Cube part(int number) const {
+      Cube result{first, side_length / 2};
+      for (int k = 0; k < d; ++k) result.first[k] += ((number >> k) & 1) * result.side_length;
+      return result;
+    }
+  };
+
+  /// Splits a cube that the boundary may cross until its parts are decided or single bricks.
+  /// @param of_whole the bound of a cube that this one is part of; enough for this one where it is sharp
+  void split_bricks(const Cube& cube, const QuadraticBound<d>& of_whole, bool is_sharp, Page<d>& page) {
+    const LatticeBox<d> points = cube.points();
+    const QuadraticBound<d> bound = is_sharp ? of_whole : this->bound(points);
+    if (cube.side_length == 1) {
       Decided<d> decided;
-      refine(points, own, decided);
-      sample(points.lo, decided);
-      if (decided.inside == Brick<d>{}) return;
-      std::int32_t& state = state_of(first);
-      state = decided.inside == Brick<d>::full() ? kFull : std::int32_t(page.bricks.size());
-      if (state != kFull) page.bricks.push_back(decided.inside);
+      refine(points, bound, decided);
+      state_of(cube.first, page) = std::int32_t(page.bricks.size());
+      page.bricks.push_back(decided.inside);
+      for_each_bit(decided.open, [&](int bit) {
+        open_points_.push_back(h_ * (points.lo + Brick<d>::offset(bit)).template cast<double>());
+        open_bits_.push_back({page.bricks.size() - 1, bit});
+      });
       return;
     }
-    const int half = side_length / 2;
-    for (int part = 0; part < (1 << d); ++part) {
-      LatticePoint<d> corner = first;
-      for (int k = 0; k < d; ++k) corner[k] += ((part >> k) & 1) * half;
-      split_bricks(corner, half, own, page);
+    // The bound of the whole decides most parts that the boundary does not cross.
+    const RealPoint<d> offset = h_ / 4 * points.extent().template cast<double>();
+    const BoundOfParts<d> of_parts(bound, real(points).center(), offset, offset.array() - h_ / 2);
+    for (int number = 0; number < (1 << d); ++number) {
+      const Cube part = cube.part(number);
+      if (!set_decided(part, of_parts.side(number), page))
+        split_bricks(part, bound, sharp(bound.error, of_parts.slope(number)), page);
     }
   }
 
-  /// Whether a bound leaves so few points open that one for each part of its box would cost more.
-  bool sharp(const AffineBound<d>& bound) const {
-    return bound.error <= kSharp * h_ * bound.slope.template lpNorm<Eigen::Infinity>();
+  /// Sets the states of a cube unless it is crossed.
+  bool set_decided(const Cube& cube, Side side, Page<d>& page) const {
+    if (side == Side::inside)
+      for_each_point(LatticeBox<d>{cube.first, cube.first.array() + (cube.side_length - 1)},
+                     [&](const LatticePoint<d>& brick) { state_of(brick, page) = DigitalSet<d>::kFull; });
+    return side != Side::crossing;
   }
+
+  static std::int32_t& state_of(const LatticePoint<d>& brick, Page<d>& page) {
+    return page.states[std::size_t(DigitalSet<d>::index_in_page(brick))];
+  }
+
+  /// Drops bricks that came out empty or full.
+  void keep_cut_bricks(Page<d>& page) {
+    std::int32_t kept = 0;
+    new_states_.clear();
+    for (const Brick<d>& brick : page.bricks) {
+      const bool empty = brick == Brick<d>{}, full = brick == Brick<d>::full();
+      new_states_.push_back(empty ? DigitalSet<d>::kEmpty : full ? DigitalSet<d>::kFull : kept);
+      if (!empty && !full) page.bricks[std::size_t(kept++)] = brick;
+    }
+    page.bricks.resize(std::size_t(kept));
+    for (std::int32_t& state : page.states)
+      if (state >= 0) state = new_states_[std::size_t(state)];
+  }
+
+  /// Whether an error leaves so few points open that a bound of a smaller box would cost more.
+  bool sharp(double error, double slope) const { return error <= kSharp * h_ * slope; }
 
   RealBox<d> real(const LatticeBox<d>& points) const {
     return {h_ * points.lo.template cast<double>(), h_ * points.hi.template cast<double>()};
   }
 
   /// Decides the points of a block, halving it where a bound over the whole leaves too many open.
-  void refine(const LatticeBox<d>& block, const AffineBound<d>& bound, Decided<d>& result) {
+  void refine(const LatticeBox<d>& block, const QuadraticBound<d>& bound, Decided<d>& result) {
     const Decided<d> decided = decide(block, bound, h_);
     int axis;
     const int longest = block.extent().maxCoeff(&axis), volume = block.extent().prod();
-    if (volume > kSmallest && !sharp(bound) && decided.open.count() * kOpenShare > volume) {
+    if (decided.open.count() > kMostOpen &&
+        !sharp(bound.error, bound.gradient(real(block).center()).template lpNorm<Eigen::Infinity>())) {
       LatticeBox<d> lower = block, upper = block;
       lower.hi[axis] = block.lo[axis] + longest / 2 - 1;
       upper.lo[axis] = lower.hi[axis] + 1;
@@ -196,28 +200,31 @@ class Digitizer {
     }
   }
 
-  /// Computes the membership of the points left open.
-  void sample(const LatticePoint<d>& origin, Decided<d>& decided) {
-    std::array<RealPoint<d>, 64> points;
-    std::array<int, 64> bits;
-    std::size_t count = 0;
-    const auto flush = [&] {
-      const std::uint64_t inside = region_.inside({points.data(), count});
-      for (std::size_t i = 0; i < count; ++i)
-        decided.inside.words[std::size_t(bits[i]) >> 6] |= ((inside >> i) & 1) << (bits[i] & 63);
-      work.points += std::int64_t(count);
-      count = 0;
-    };
-    for_each_bit(decided.open, [&](int bit) {
-      points[count] = h_ * (origin + Brick<d>::offset(bit)).template cast<double>();
-      bits[count++] = bit;
-      if (count == 64) flush();
-    });
-    if (count > 0) flush();
+  /// Computes the membership of the points left open so far.
+  void sample(std::vector<Brick<d>>& bricks) {
+    for (std::size_t first = 0; first < open_points_.size(); first += kBatch) {
+      const std::size_t count = std::min(kBatch, open_points_.size() - first);
+      const std::uint64_t inside = region_.inside({open_points_.data() + first, count});
+      for (std::size_t i = 0; i < count; ++i) {
+        const auto [brick, bit] = open_bits_[first + i];
+        bricks[brick].words[std::size_t(bit) >> 6] |= ((inside >> i) & 1) << (bit & 63);
+      }
+    }
+    work.points += std::int64_t(open_points_.size());
+    open_points_.clear();
+    open_bits_.clear();
   }
+
+  struct OpenBit {
+    std::size_t brick;  // of the page
+    int bit;
+  };
 
   const Region<d>& region_;
   double h_;
+  std::vector<RealPoint<d>> open_points_;
+  std::vector<OpenBit> open_bits_;  // of the open points
+  std::vector<std::int32_t> new_states_;
 };
 
 /// Pages that may be cut, found by halving the box of all pages along its longest side.

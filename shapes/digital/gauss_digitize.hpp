@@ -19,10 +19,10 @@ LatticeBox<d> digital_bounds(const Region<d>& region, GridStep h);
 
 /// Gauss digitization: the points z of Z^d with h z in the region (closed).
 ///
-/// Recurses on boxes down to those where the error of Region::bound is below half a cell, or of 4^d points;
-/// only the points that a bound leaves open are sampled. Equal, bit for bit, to sampling every point;
-/// O(h^-(d-1)) calls where the error of the bounds shrinks with the square of the box: about one a surfel at
-/// fine steps. Runs on all threads of the current arena; the result does not depend on their number.
+/// Recurses on boxes down to those where the error of Region::bound is a tenth of a cell or leaves few points open;
+/// only these are sampled. Equal, bit for bit, to sampling every point; O(h^-(d-1)) calls where the error of the bounds
+/// shrinks with the square of the box, less than one a surfel at fine steps where it shrinks with the cube. Runs on all
+/// threads of the current arena; the result does not depend on their number, nor on the processor.
 template <int d>
 DigitalSet<d> gauss_digitize(const Region<d>& region, GridStep h, DigitizationWork* work = nullptr);
 

@@ -128,7 +128,7 @@ TEST_P(Digitization, CallsTheRegionAFewTimesASurfel) {
   });
 }
 
-/// The affine function decides as it says, right up to its error: at points of boxes of all sizes near the
+/// The quadratic function decides as it says, right up to its error: at points of boxes of all sizes near the
 /// boundary.
 TEST_P(Digitization, BoundsNeverContradictTheRegion) {
   with_shape([]<int d>(const Shape<d>& shape) {
@@ -152,10 +152,10 @@ TEST_P(Digitization, BoundsNeverContradictTheRegion) {
         high[k] = in[k] + scale * random.uniform();
       }
       const RealBox<d> box(low, high);
-      const AffineBound<d> bound = region.bound(box);
+      const QuadraticBound<d> bound = region.bound(box);
       for (int sample = 0; sample < 40; ++sample) {
         const RealPoint<d> p = random_point(box, random).cwiseMax(low).cwiseMin(high);
-        const double level = bound.value + bound.slope.dot(p - bound.centre);
+        const double level = bound(p);
         if (!(std::abs(level) > bound.error + bound.rounding(greatest_coordinate(box)))) continue;
         ++decided;
         wrong += region.contains(p) != (level < 0);
