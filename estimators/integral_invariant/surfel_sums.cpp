@@ -22,7 +22,7 @@ bricks::SpelsByBrick<d> grouped(std::size_t size, Insert insert) {
         insert(i, parts[part], memos);
     }
   });
-  for (std::size_t part = 1; part < parts.size(); ++part) parts.front().merge(parts[part]);
+  parts.front().merge(std::span(parts).subspan(1));
   parts.front().number();
   return std::move(parts.front());
 }
@@ -125,7 +125,7 @@ void SurfelSums<d, Sum>::eval_bricks(std::span<const Surfel<d>> surfels, std::si
       part.insert(surfels[i].inner, memos[0]);
       part.insert(surfels[i].outer(), memos[1]);
     });
-    const std::vector<Sum> sums = balls_.front().eval(set_, spels, &work);
+    const auto sums = balls_.front().eval(set_, spels, &work);
     parallel_chunks(surfels.size(), kGrain, [&](std::size_t begin, std::size_t end) {
       typename Spels::Memo inner, outer;
       for (std::size_t i = begin; i != end; ++i)
@@ -137,7 +137,7 @@ void SurfelSums<d, Sum>::eval_bricks(std::span<const Surfel<d>> surfels, std::si
       const Spels spels = grouped<d>(surfels.size(), [&](std::size_t i, Spels& part, auto& memos) {
         if (surfels[i].axis == axis) part.insert(lower_spel(surfels[i]), memos[0]);
       });
-      const std::vector<Sum> sums = balls_[std::size_t(axis)].eval(set_, spels, &work);
+      const auto sums = balls_[std::size_t(axis)].eval(set_, spels, &work);
       parallel_chunks(surfels.size(), kGrain, [&](std::size_t begin, std::size_t end) {
         typename Spels::Memo memo;
         for (std::size_t i = begin; i != end; ++i) {

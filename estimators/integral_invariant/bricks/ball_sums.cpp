@@ -35,10 +35,10 @@ std::size_t BallSums<d, Sum>::memory() const {
 }
 
 template <int d, class Sum>
-std::vector<Sum> BallSums<d, Sum>::eval(const DigitalSet<d>& set, const SpelsByBrick<d>& spels,
-                                        EvaluationWork* work) const {
+UninitializedVector<Sum> BallSums<d, Sum>::eval(const DigitalSet<d>& set, const SpelsByBrick<d>& spels,
+                                                EvaluationWork* work) const {
   const auto& sources = spels.sources();
-  std::vector<Sum> result(spels.size());
+  UninitializedVector<Sum> result(spels.size());
   if (sources.empty()) return result;
   const auto& [ball, full_rows] = *tables_;
 

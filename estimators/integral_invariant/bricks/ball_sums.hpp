@@ -33,6 +33,7 @@
 
 #include "estimators/integral_invariant/bricks/spels_by_brick.hpp"
 #include "estimators/integral_invariant/convolution.hpp"
+#include "shapes/base/uninitialized.hpp"
 #include "shapes/base/units.hpp"
 #include "shapes/digital/digital_set.hpp"
 
@@ -57,8 +58,8 @@ class BallSums {
 
   /// One sum for each spel, in the order of their positions. Runs on all threads of the current arena. In
   /// `work`, cells_visited are the runs of bricks in the parts of E, summed up over the spels.
-  std::vector<Sum> eval(const DigitalSet<d>& set, const SpelsByBrick<d>& spels,
-                        EvaluationWork* work = nullptr) const;
+  UninitializedVector<Sum> eval(const DigitalSet<d>& set, const SpelsByBrick<d>& spels,
+                                EvaluationWork* work = nullptr) const;
 
  private:
   struct Tables;

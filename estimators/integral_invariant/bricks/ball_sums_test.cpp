@@ -279,7 +279,7 @@ TEST(SpelsByBrick, MergesWhatOverlaps) {
     if (z[0] < 3) low.insert(z, memos[1]);
     if (z[0] > -3) high.insert(z, memos[2]);
   });
-  low.merge(high);
+  low.merge({&high, 1});
   low.number();
   EXPECT_EQ(low.size(), spels);
   EXPECT_EQ(low.sources().size(), all.sources().size());

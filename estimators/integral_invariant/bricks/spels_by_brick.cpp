@@ -1,5 +1,8 @@
 #include "estimators/integral_invariant/bricks/spels_by_brick.hpp"
 
+#include <algorithm>
+#include <bit>
+
 namespace gridstep::bricks {
 
 template <int d>
@@ -15,8 +18,8 @@ std::size_t SpelsByBrick<d>::slot(const LatticePoint<d>& brick) const {
 }
 
 template <int d>
-void SpelsByBrick<d>::grow() {
-  table_.assign(2 * table_.size(), kNone);
+void SpelsByBrick<d>::set_table_size(std::size_t size) {
+  table_.assign(size, kNone);
   for (std::uint32_t i = 0; i < sources_.size(); ++i) table_[slot(sources_[i].brick)] = i;
 }
 
@@ -25,7 +28,7 @@ std::uint32_t SpelsByBrick<d>::source_of(const LatticePoint<d>& brick) {
   std::size_t i = slot(brick);
   if (table_[i] == kNone) {
     if (2 * (sources_.size() + 1) > table_.size()) {
-      grow();
+      set_table_size(2 * table_.size());
       i = slot(brick);
     }
     table_[i] = std::uint32_t(sources_.size());
@@ -35,11 +38,16 @@ std::uint32_t SpelsByBrick<d>::source_of(const LatticePoint<d>& brick) {
 }
 
 template <int d>
-void SpelsByBrick<d>::merge(const SpelsByBrick& other) {
-  for (const Source& source : other.sources_) {
-    Brick<d>& own = sources_[source_of(source.brick)].spels;
-    for (std::size_t w = 0; w < own.words.size(); ++w) own.words[w] |= source.spels.words[w];
-  }
+void SpelsByBrick<d>::merge(std::span<const SpelsByBrick> others) {
+  std::size_t most = sources_.size();
+  for (const SpelsByBrick& other : others) most += other.sources_.size();
+  sources_.reserve(most);
+  set_table_size(std::max(table_.size(), std::bit_ceil(2 * most)));
+  for (const SpelsByBrick& other : others)
+    for (const Source& source : other.sources_) {
+      Brick<d>& own = sources_[source_of(source.brick)].spels;
+      for (std::size_t w = 0; w < own.words.size(); ++w) own.words[w] |= source.spels.words[w];
+    }
 }
 
 template <int d>

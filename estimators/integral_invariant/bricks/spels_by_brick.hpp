@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "shapes/digital/brick.hpp"
@@ -34,8 +35,8 @@ class SpelsByBrick {
     if (brick != memo.brick) memo = {brick, source_of(brick)};
     sources_[memo.source].spels.set(Brick<d>::bit(spel), true);
   }
-  /// Inserts all that another one holds.
-  void merge(const SpelsByBrick& other);
+  /// Inserts all that others hold.
+  void merge(std::span<const SpelsByBrick> others);
   /// Numbers the spels; to be called between the last insert() and the first position().
   void number();
   /// Position of a spel that was inserted.
@@ -59,7 +60,7 @@ class SpelsByBrick {
   std::uint32_t source_of(const LatticePoint<d>& brick);
   /// Slot of the table that holds the brick, or where it would go.
   std::size_t slot(const LatticePoint<d>& brick) const;
-  void grow();
+  void set_table_size(std::size_t size);
 
   std::vector<Source> sources_;
   std::vector<std::uint32_t> table_;  // open addressing, a power of two, at most half full

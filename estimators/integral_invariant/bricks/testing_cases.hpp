@@ -111,7 +111,7 @@ std::vector<Sum> brick_sums(const BallSums<d, Sum>& balls, const RandomSet<d>& o
   typename SpelsByBrick<d>::Memo memo;
   for (const LatticePoint<d>& z : one.spels) spels.insert(z, memo);
   spels.number();
-  const std::vector<Sum> sums = balls.eval(one.set, spels);
+  const auto sums = balls.eval(one.set, spels);
   std::vector<Sum> result;
   for (const LatticePoint<d>& z : one.spels) result.push_back(sums[spels.position(z, memo)]);
   return result;
