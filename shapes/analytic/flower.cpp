@@ -1,4 +1,5 @@
 #include <cmath>
+#include <numbers>
 
 #include "shapes/analytic/catalogue.hpp"
 #include "shapes/analytic/polar_curve.hpp"
@@ -15,7 +16,7 @@ class Flower final : public PolarCurve {
         radius_(radius),
         amplitude_(amplitude),
         petals_(petals),
-        phase_(phase) {}
+        phase_(reduced(phase)) {}
 
  protected:
   double rho(double t) const override { return radius_ + amplitude_ * std::cos(petals_ * t + phase_); }
@@ -26,6 +27,11 @@ class Flower final : public PolarCurve {
   }
 
  private:
+  /// The same phase within a turn: added to one of many turns, the angle would be rounded with it.
+  static double reduced(double phase) {
+    return std::abs(phase) <= std::numbers::pi ? phase : std::atan2(std::sin(phase), std::cos(phase));
+  }
+
   double radius_, amplitude_, petals_, phase_;
 };
 

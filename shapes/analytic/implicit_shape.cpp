@@ -13,6 +13,16 @@
 
 namespace gridstep {
 
+namespace {
+
+/// Where f takes values of this range.
+Side side_of(const Interval& f) {
+  if (f.lower() > 0) return Side::outside;
+  return f.upper() <= 0 ? Side::inside : Side::crossing;
+}
+
+}  // namespace
+
 template <int d>
 ImplicitShape<d>::ImplicitShape(const RealPoint<d>& centre, Formula formula, const RealBox<d>& box, bool cut,
                                 LeftOut<d> left_out)
@@ -63,7 +73,14 @@ std::uint64_t ImplicitShape<d>::local_inside(std::span<const RealPoint<d>> point
 template <int d>
 QuadraticBound<d> ImplicitShape<d>::local_bound(const RealBox<d>& box) const {
   const std::array<TaylorModel<d>, d> variables = TaylorModel<d>::variables(box);
-  QuadraticBound<d> bound = bound_of(formula_(std::span<const TaylorModel<d>>(variables)), box);
+  const TaylorModel<d> model = formula_(std::span<const TaylorModel<d>>(variables));
+  QuadraticBound<d> bound = bound_of(model, box);
+  // Over large boxes the range of a sum of squares may decide what its Taylor expansion cannot.
+  constexpr double kVague = 0.1;
+  if (model.error > kVague * model.slope().abs().sum()) {
+    const Side side = side_of(natural_range(box));
+    if (side != Side::crossing) bound = QuadraticBound<d>::constant(side);
+  }
   if (!cut_ || box_.contains(box)) return bound;
   for (int k = 0; k < d; ++k)
     for (const double sign : {-1.0, 1.0}) {
@@ -73,18 +90,18 @@ QuadraticBound<d> ImplicitShape<d>::local_bound(const RealBox<d>& box) const {
   return bound;
 }
 
+/// Holds every value that is computed in the box, without slack: doubles and intervals are rounded alike.
+template <int d>
+Interval ImplicitShape<d>::natural_range(const RealBox<d>& box) const {
+  std::array<Interval, d> variables;
+  for (int k = 0; k < d; ++k) variables[k] = Interval(box.min()[k], box.max()[k]);
+  return formula_(std::span<const Interval>(variables));
+}
+
 /// The side of {f <= 0}, whatever the cut.
 template <int d>
 Side ImplicitShape<d>::side_of_polynomial(const RealBox<d>& box) const {
-  const auto decide = [](double lower, double upper) {
-    if (lower > 0) return Side::outside;
-    return upper <= 0 ? Side::inside : Side::crossing;
-  };
-  // The natural extension needs no slack: doubles and intervals are rounded alike.
-  std::array<Interval, d> variables;
-  for (int k = 0; k < d; ++k) variables[k] = Interval(box.min()[k], box.max()[k]);
-  const Interval natural = formula_(std::span<const Interval>(variables));
-  const Side first = decide(natural.lower(), natural.upper());
+  const Side first = side_of(natural_range(box));
   const RealPoint<d> far = box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs());
   if (first != Side::crossing ||
       (far.array() > 2 * box_.max().cwiseAbs().cwiseMax(box_.min().cwiseAbs()).array()).any())
@@ -92,7 +109,7 @@ Side ImplicitShape<d>::side_of_polynomial(const RealBox<d>& box) const {
 
   // The centred form f(c) + grad f(box) (x - c) is tight to second order, but bounds the exact f.
   std::array<Jet1<Interval, d>, d> jets;
-  for (int k = 0; k < d; ++k) jets[k] = Jet1<Interval, d>::variable(variables[k], k);
+  for (int k = 0; k < d; ++k) jets[k] = Jet1<Interval, d>::variable(Interval(box.min()[k], box.max()[k]), k);
   const Jet1<Interval, d> slopes = formula_(std::span<const Jet1<Interval, d>>(jets));
   const RealPoint<d> middle = box.center();
   double lower = value(middle) - rounding_, upper = value(middle) + rounding_;
@@ -103,7 +120,7 @@ Side ImplicitShape<d>::side_of_polynomial(const RealBox<d>& box) const {
     lower -= reach * steepest * (1 + 1e-12);
     upper += reach * steepest * (1 + 1e-12);
   }
-  return decide(lower, upper);
+  return side_of({lower, upper});
 }
 
 /// |grad f| / |Hessian f| estimates the distance to the point where the gradient vanishes.

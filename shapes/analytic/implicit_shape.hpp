@@ -36,6 +36,7 @@ class ImplicitShape final : public Shape<d> {
     Jet2<d> f;  // there
     bool singular;
   };
+  Interval natural_range(const RealBox<d>& box) const;
   Side side_of_polynomial(const RealBox<d>& box) const;
   double value(const RealPoint<d>& p) const;
   template <class Jet = Jet2<d>>

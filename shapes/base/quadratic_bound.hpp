@@ -59,8 +59,12 @@ struct QuadraticBound {
   double rounding(double magnitude) const {
     const double reach = magnitude + centre.template lpNorm<Eigen::Infinity>();
     return 1e-13 * (std::abs(value) + error +
-                    reach * (slope.template lpNorm<1>() + reach * bend.template lpNorm<1>()));
+                    reach * (slope.template lpNorm<1>() + reach * bend.template lpNorm<1>())) +
+           underflow(reach);
   }
+  /// Far more than what is lost where slopes or bends, or products of them, are too small for a double, at points at
+  /// most `reach` away. Not itself so small: processors take long for such numbers.
+  static double underflow(double reach) { return 1e-300 * (1 + reach) * (1 + reach); }
 
   /// Bounds on x . bend x where |x_k| <= reach_k: since 2 |x_j x_k| <= s x_j^2 + x_k^2 / s, here with
   /// s = reach_k / reach_j, each (x_k / reach_k)^2 in [0, 1] has a least and a greatest coefficient.

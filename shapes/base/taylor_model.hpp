@@ -109,7 +109,7 @@ QuadraticBound<d> bound_of(const TaylorModel<d>& f, const RealBox<d>& box) {
   QuadraticBound<d> bound;
   bound.centre = box.center();
   bound.value = f.value();
-  bound.error = f.error + TaylorModel<d>::kRounding * f.magnitude;
+  bound.error = f.error + TaylorModel<d>::kRounding * f.magnitude + QuadraticBound<d>::underflow(reach.sum());
   RealPoint<d> in_reach;
   for (int k = 0; k < d; ++k) in_reach[k] = reach[k] > 0 ? 1 / reach[k] : 0;
   bound.slope = f.slope().matrix().cwiseProduct(in_reach);

@@ -17,11 +17,10 @@ namespace {
 namespace hn = hwy::HWY_NAMESPACE;
 
 using Tag = hn::CappedTag<float, 16>;
-constexpr std::size_t kLanes = hn::MaxLanes(Tag());
 
 /// Writes the bits of a mask, of points i and on, to where bits of zero are.
 HWY_INLINE void store_bits(hn::Mask<Tag> mask, std::size_t i, std::uint8_t* bits) {
-  if constexpr (kLanes >= 8) {
+  if (hn::Lanes(Tag()) >= 8) {
     hn::StoreMaskBits(Tag(), mask, bits + i / 8);
   } else {
     std::array<std::uint8_t, 8> part{};
@@ -36,10 +35,11 @@ template <int d>
 ComparedLevels<d> compare_levels(const BrickLevels<d>& levels, float within) {
   constexpr int kExtent = Brick<d>::extent(0);
   const Tag tag;
+  const std::size_t lanes = hn::Lanes(tag);
   alignas(64) std::array<float, 64> at_first, per_word;
   const auto linear = [&](int k) { return hn::Set(tag, levels.linear[std::size_t(k)]); };
   const auto square = [&](int pair) { return hn::Set(tag, levels.square[std::size_t(pair)]); };
-  for (std::size_t i = 0; i < 64; i += kLanes) {
+  for (std::size_t i = 0; i < 64; i += lanes) {
     const auto bit = hn::Iota(tag, float(i));
     if constexpr (d == 2) {
       hn::Store(hn::Mul(bit, hn::Add(linear(0), hn::Mul(bit, square(0)))), tag, at_first.data() + i);
@@ -58,13 +58,14 @@ ComparedLevels<d> compare_levels(const BrickLevels<d>& levels, float within) {
     const auto word = float(w);
     const float of_word = levels.constant + word * (levels.linear[d - 1] + word * levels.square.back());
     const auto low = hn::Set(tag, -within - of_word), high = hn::Set(tag, within - of_word);
-    for (std::size_t i = 0; i < 64; i += kLanes) {
+    for (std::size_t i = 0; i < 64; i += lanes) {
       const auto level = hn::Add(hn::Load(tag, at_first.data() + i),
                                  hn::Mul(hn::Set(tag, word), hn::Load(tag, per_word.data() + i)));
       store_bits(hn::Lt(level, low), 64 * w + i, below.data());
       store_bits(hn::Gt(level, high), 64 * w + i, above.data());
     }
   }
+  static_assert(std::endian::native == std::endian::little);
   return {std::bit_cast<Brick<d>>(below), std::bit_cast<Brick<d>>(above)};
 }
 

@@ -30,4 +30,9 @@ struct ComparedLevels {
 template <int d>
 ComparedLevels<d> compare(const BrickLevels<d>& levels, float within);
 
+template <>
+ComparedLevels<2> compare(const BrickLevels<2>& levels, float within);
+template <>
+ComparedLevels<3> compare(const BrickLevels<3>& levels, float within);
+
 }  // namespace gridstep

@@ -41,7 +41,7 @@ Decided<d> decide(const LatticeBox<d>& block, const QuadraticBound<d>& bound, do
   RealPoint<d> size;  // in steps
   for (int k = 0; k < d; ++k) size[k] = Brick<d>::extent(k) - 1;
   const RealPoint<d> step = h * bound.gradient(first), last = first + h * size;
-  const RealMatrix<d> bend = h * h * bound.bend;
+  const RealMatrix<d> bend = h * (h * bound.bend);  // h * h may be too small for a double
   const double at_first = bound(first),
                margin = bound.error + bound.rounding(greatest_coordinate<d>({first, last}));
   const double greatest =
@@ -160,17 +160,17 @@ class Digitizer {
   }
 
   /// Drops bricks that came out empty or full.
-  void keep_cut_bricks(Page<d>& page) {
+  static void keep_cut_bricks(Page<d>& page) {
     std::int32_t kept = 0;
-    new_states_.clear();
+    std::vector<std::int32_t> new_states;
     for (const Brick<d>& brick : page.bricks) {
       const bool empty = brick == Brick<d>{}, full = brick == Brick<d>::full();
-      new_states_.push_back(empty ? DigitalSet<d>::kEmpty : full ? DigitalSet<d>::kFull : kept);
+      new_states.push_back(empty ? DigitalSet<d>::kEmpty : full ? DigitalSet<d>::kFull : kept);
       if (!empty && !full) page.bricks[std::size_t(kept++)] = brick;
     }
     page.bricks.resize(std::size_t(kept));
     for (std::int32_t& state : page.states)
-      if (state >= 0) state = new_states_[std::size_t(state)];
+      if (state >= 0) state = new_states[std::size_t(state)];
   }
 
   /// Whether an error leaves so few points open that a bound of a smaller box would cost more.
@@ -184,7 +184,7 @@ class Digitizer {
   void refine(const LatticeBox<d>& block, const QuadraticBound<d>& bound, Decided<d>& result) {
     const Decided<d> decided = decide(block, bound, h_);
     int axis;
-    const int longest = block.extent().maxCoeff(&axis), volume = block.extent().prod();
+    const int longest = block.extent().maxCoeff(&axis);
     if (decided.open.count() > kMostOpen &&
         !sharp(bound.error, bound.gradient(real(block).center()).template lpNorm<Eigen::Infinity>())) {
       LatticeBox<d> lower = block, upper = block;
@@ -211,8 +211,6 @@ class Digitizer {
       }
     }
     work.points += std::int64_t(open_points_.size());
-    open_points_.clear();
-    open_bits_.clear();
   }
 
   struct OpenBit {
@@ -224,7 +222,6 @@ class Digitizer {
   double h_;
   std::vector<RealPoint<d>> open_points_;
   std::vector<OpenBit> open_bits_;  // of the open points
-  std::vector<std::int32_t> new_states_;
 };
 
 /// Pages that may be cut, found by halving the box of all pages along its longest side.
