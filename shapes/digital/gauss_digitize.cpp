@@ -200,7 +200,7 @@ class Digitizer {
     }
   }
 
-  /// Computes the membership of the points left open so far.
+  /// Computes the membership of the points left open.
   void sample(std::vector<Brick<d>>& bricks) {
     for (std::size_t first = 0; first < open_points_.size(); first += kBatch) {
       const std::size_t count = std::min(kBatch, open_points_.size() - first);
