@@ -1,5 +1,4 @@
 #include <cmath>
-#include <numbers>
 
 #include "shapes/analytic/catalogue.hpp"
 #include "shapes/analytic/polar_curve.hpp"
@@ -27,9 +26,10 @@ class Flower final : public PolarCurve {
   }
 
  private:
-  /// The same phase within a turn: added to one of many turns, the angle would be rounded with it.
+  /// A phase of many turns would swallow the last digits of the angle that it is added to.
   static double reduced(double phase) {
-    return std::abs(phase) <= std::numbers::pi ? phase : std::atan2(std::sin(phase), std::cos(phase));
+    constexpr double kMany = 100;
+    return std::abs(phase) <= kMany ? phase : std::atan2(std::sin(phase), std::cos(phase));
   }
 
   double radius_, amplitude_, petals_, phase_;

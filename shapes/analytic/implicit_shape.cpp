@@ -77,7 +77,7 @@ QuadraticBound<d> ImplicitShape<d>::local_bound(const RealBox<d>& box) const {
   QuadraticBound<d> bound = bound_of(model, box);
   // Over large boxes the range of a sum of squares may decide what its Taylor expansion cannot.
   constexpr double kVague = 0.1;
-  if (model.error > kVague * model.slope().abs().sum()) {
+  if (!(model.error <= kVague * model.slope().abs().sum())) {  // nor may it, where numbers overflow
     const Side side = side_of(natural_range(box));
     if (side != Side::crossing) bound = QuadraticBound<d>::constant(side);
   }

@@ -7,7 +7,7 @@
 
 namespace gridstep {
 
-/// std::allocator, but for elements that are not given a value: they begin with any one.
+/// std::allocator, but elements made without a value keep what their memory held.
 template <class T>
 struct UninitializedAllocator : std::allocator<T> {
   static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
@@ -27,8 +27,8 @@ struct UninitializedAllocator : std::allocator<T> {
   }
 };
 
-/// For results that threads write, each its own: zeros would be written before, and all its memory touched first, by
-/// one of them.
+/// For results that threads write, each its own: zeros would be written before, and all memory touched first, by one
+/// of them. Its size may be given; what resize() adds has no value either.
 template <class T>
 using UninitializedVector = std::vector<T, UninitializedAllocator<T>>;
 

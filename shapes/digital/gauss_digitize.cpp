@@ -74,7 +74,7 @@ struct Page {
   DigitizationWork work;
 };
 
-/// The part of the recursion that one thread does, with its own count of work.
+/// Bounds on the way to the pages that are cut, or one such page, with its own count of work.
 template <int d>
 class Digitizer {
  public:
@@ -88,6 +88,7 @@ class Digitizer {
     return bound.side(real(points));
   }
 
+  /// To be called once.
   void digitize(const LatticePoint<d>& page, Page<d>& result) {
     result.states.assign(DigitalSet<d>::kBricksInPage, DigitalSet<d>::kEmpty);
     result.bricks.clear();

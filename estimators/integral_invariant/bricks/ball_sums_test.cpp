@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <span>
 #include <utility>
 
 #include "estimators/integral_invariant/bricks/ball_rows.hpp"
@@ -267,22 +269,29 @@ TEST(BrickSums, AreThoseOfSlabsForHugeBalls) {
   }
 }
 
-TEST(SpelsByBrick, MergesWhatOverlaps) {
-  SpelsByBrick<3> all, low, high;
-  SpelsByBrick<3>::Memo memos[3];
+TEST(SpelsByBrick, MergesWhatOverlapsInTheOrderInWhichItWasSeen) {
+  SpelsByBrick<3> all;
+  std::array<SpelsByBrick<3>, 3> slabs;
+  std::array<SpelsByBrick<3>::Memo, 4> memos;
   const auto set = ball_set<3>(12);
   std::size_t spels = 0;
   for_each_point(set.domain(), [&](const LatticePoint<3>& z) {
     if (!set.contains(z)) return;
     ++spels;
-    all.insert(z, memos[0]);
-    if (z[0] < 3) low.insert(z, memos[1]);
-    if (z[0] > -3) high.insert(z, memos[2]);
+    all.insert(z, memos[3]);
+    for (const int i : {0, 1, 2})
+      if (std::abs(z[2] - 8 * (i - 1)) < 6) slabs[std::size_t(i)].insert(z, memos[std::size_t(i)]);
   });
-  low.merge({&high, 1});
+  SpelsByBrick<3>& low = slabs[0];
+  const std::size_t before = low.sources().size();
+  low.merge({});
+  EXPECT_EQ(low.sources().size(), before);
+  low.merge(std::span(slabs).subspan(1));
   low.number();
   EXPECT_EQ(low.size(), spels);
-  EXPECT_EQ(low.sources().size(), all.sources().size());
+  ASSERT_EQ(low.sources().size(), all.sources().size());
+  for (std::size_t i = 0; i < all.sources().size(); ++i)
+    EXPECT_EQ(low.sources()[i].brick, all.sources()[i].brick);
   memos[0] = {};
   std::vector<bool> seen(spels);
   for_each_point(set.domain(), [&](const LatticePoint<3>& z) {

@@ -18,7 +18,7 @@ std::size_t SpelsByBrick<d>::slot(const LatticePoint<d>& brick) const {
 }
 
 template <int d>
-void SpelsByBrick<d>::set_table_size(std::size_t size) {
+void SpelsByBrick<d>::rehash(std::size_t size) {
   table_.assign(size, kNone);
   for (std::uint32_t i = 0; i < sources_.size(); ++i) table_[slot(sources_[i].brick)] = i;
 }
@@ -28,21 +28,22 @@ std::uint32_t SpelsByBrick<d>::source_of(const LatticePoint<d>& brick) {
   std::size_t i = slot(brick);
   if (table_[i] == kNone) {
     if (2 * (sources_.size() + 1) > table_.size()) {
-      set_table_size(2 * table_.size());
+      rehash(2 * table_.size());
       i = slot(brick);
     }
-    table_[i] = std::uint32_t(sources_.size());
     sources_.push_back({brick});
+    table_[i] = std::uint32_t(sources_.size() - 1);
   }
   return table_[i];
 }
 
 template <int d>
 void SpelsByBrick<d>::merge(std::span<const SpelsByBrick> others) {
+  if (others.empty()) return;
   std::size_t most = sources_.size();
   for (const SpelsByBrick& other : others) most += other.sources_.size();
   sources_.reserve(most);
-  set_table_size(std::max(table_.size(), std::bit_ceil(2 * most)));
+  rehash(std::max(table_.size(), std::bit_ceil(2 * most)));
   for (const SpelsByBrick& other : others)
     for (const Source& source : other.sources_) {
       Brick<d>& own = sources_[source_of(source.brick)].spels;

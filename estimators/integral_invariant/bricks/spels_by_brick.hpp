@@ -60,7 +60,8 @@ class SpelsByBrick {
   std::uint32_t source_of(const LatticePoint<d>& brick);
   /// Slot of the table that holds the brick, or where it would go.
   std::size_t slot(const LatticePoint<d>& brick) const;
-  void set_table_size(std::size_t size);
+  /// Into a table of that size, a power of two.
+  void rehash(std::size_t size);
 
   std::vector<Source> sources_;
   std::vector<std::uint32_t> table_;  // open addressing, a power of two, at most half full
