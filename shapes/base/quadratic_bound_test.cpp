@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "shapes/base/random.hpp"
 
@@ -62,7 +65,8 @@ RealBox<d> part_of(const RealBox<d>& box, int part) {
   return result;
 }
 
-/// Errors such that the truth is a rounding away from what would decide a box or a part of it.
+/// Errors such that the truth is a rounding away from what would decide a box or a part of it: of affine functions, and
+/// of others where the corners are the extremes.
 template <int d>
 void never_decide_wrongly() {
   RandomStream random{21};
