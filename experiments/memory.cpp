@@ -37,9 +37,9 @@ double predicted_surfels(const RealBox<d>& bounds, GridStep h) {
 template <int d>
 double predicted_set_memory(const RealBox<d>& bounds, GridStep h) {
   const double bricks_for_each_surfel = 64.0 * (d == 2 ? 1.0 / 16 : 1.0 / 40);
-  const double page_cells = d == 2 ? 0x1p19 : 0x1p15;
+  const double book_cells = d == 2 ? 0x1p29 : 0x1p24;
   const RealPoint<d> cells = bounds.sizes() / h.value;
-  return predicted_surfels<d>(bounds, h) * bricks_for_each_surfel + 4 * cells.prod() / page_cells;
+  return predicted_surfels<d>(bounds, h) * bricks_for_each_surfel + 4 * cells.prod() / book_cells;
 }
 
 double predicted_surfel_memory(bool moments) {

@@ -23,13 +23,12 @@ Surfel<2> next_on_contour(const DigitalSet<2>& set, const Surfel<2>& linel, Surf
 /// Calls visit(axis, sign, bits) with the inner points of the surfels of a brick that face each way.
 template <int d, class Visit>
 void for_each_side(const DigitalSet<d>& set, const LatticePoint<d>& brick, Visit visit) {
-  const std::int32_t state = set.state(brick);
+  const BrickNeighbours<d> neighbours(set, brick);
+  const std::int32_t state = neighbours.state();
   const Brick<d>& own = set.brick_of(state);
   for (int axis = 0; axis < d; ++axis)
     for (const int sign : {-1, +1}) {
-      LatticePoint<d> next = brick;
-      next[axis] += sign;
-      const std::int32_t next_state = set.state(next);
+      const std::int32_t next_state = neighbours.next(axis, sign);
       if (state == DigitalSet<d>::kFull && next_state == DigitalSet<d>::kFull) continue;
       Brick<d> bits = shifted(own, set.brick_of(next_state), axis, sign);
       for (std::size_t i = 0; i < 8; ++i) bits.words[i] = own.words[i] & ~bits.words[i];

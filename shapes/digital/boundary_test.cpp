@@ -27,7 +27,7 @@ DigitalSet<d> random_set(std::uint64_t seed) {
   const int reach = 20 + int(random.below(40));
   const LatticeBox<d> box{LatticePoint<d>::Constant(-reach), LatticePoint<d>::Constant(reach)};
   DigitalSet<d> set(box);
-  if (random.below(2) == 0) set.set_page(set.page_box().lo, DigitalSet<d>::kFull);
+  if (random.below(2) == 0) set.fill_pages({set.page_box().lo, set.page_box().lo});
   const auto random_point = [&] {
     LatticePoint<d> z;
     for (int k = 0; k < d; ++k) z[k] = int(random.below(std::uint32_t(2 * reach))) - reach;

@@ -12,20 +12,21 @@ namespace gridstep {
 
 /// A finite set of digital points, stored as bit bricks under a sparse index of two levels.
 ///
-/// A brick is empty, full or mixed, and only mixed bricks are stored; a page indexes kPageSide^d bricks, and
-/// pages that are all empty or all full are not stored either. Memory is O(h^-(d-1)) but for the top level of
-/// the index, which is a dense array of 4 bytes for each page of the domain (2^15 points in 3D, 2^19 in 2D).
+/// A brick is empty, full or mixed, and only mixed bricks are stored. A page indexes kPageSide^d bricks, a
+/// book kPageSide^d pages; those that are all empty or all full are not stored either. Memory is O(h^-(d-1)) but
+/// for an array of 4 bytes for each book of the domain (2^24 points in 3D, 2^29 in 2D).
 /// Points outside the domain are not in the set. Reading is thread-safe; writing is not.
 template <int d>
 class DigitalSet {
  public:
-  static constexpr int kPageShift = d == 2 ? 5 : 3;  ///< log2 of the bricks in a page, per direction
+  /// log2 of the bricks in a page, and of the pages in a book, per direction.
+  static constexpr int kPageShift = d == 2 ? 5 : 3;
   static constexpr int kPageSide = 1 << kPageShift;
   static constexpr int kBricksInPage = 1 << (d * kPageShift);
-  static constexpr std::int32_t kEmpty = -1, kFull = -2;  ///< states of a brick or page that is not stored
+  static constexpr std::int32_t kEmpty = -1, kFull = -2;  ///< states of what is not stored
 
   /// The empty set over a domain, which is enlarged to whole pages.
-  /// @throws InputError where the top level of the index alone would need more than 2^31 entries.
+  /// @throws InputError where the domain has 2^31 books or more.
   explicit DigitalSet(const LatticeBox<d>& domain);
 
   const LatticeBox<d>& domain() const { return domain_; }
@@ -44,7 +45,8 @@ class DigitalSet {
   /// kEmpty, kFull, or the number of a stored brick; bricks outside the domain are empty.
   std::int32_t state(const LatticePoint<d>& brick) const {
     const std::int32_t page = page_state(page_of(brick));
-    return page < 0 ? page : slots_[std::size_t(page) * kBricksInPage + std::size_t(index_in_page(brick))];
+    return page < 0 ? page
+                    : brick_states_[std::size_t(page) * kBricksInPage + std::size_t(index_in_page(brick))];
   }
   /// The brick of a state; valid until the set is written to.
   const Brick<d>& brick_of(std::int32_t state) const {
@@ -53,22 +55,34 @@ class DigitalSet {
   }
   const Brick<d>& brick(const LatticePoint<d>& brick) const { return brick_of(state(brick)); }
   void set_brick(const LatticePoint<d>& brick, const Brick<d>& bits);
+  /// kEmpty, kFull, or the number of a stored page; pages outside the domain are empty.
   std::int32_t page_state(const LatticePoint<d>& page) const {
-    const std::int64_t index = page_index(page);
-    return index < 0 ? kEmpty : top_[std::size_t(index)];
+    if (!pages_.contains(page)) return kEmpty;
+    const std::int32_t book = book_states_[book_index(page)];
+    return book < 0 ? book
+                    : page_states_[std::size_t(book) * kBricksInPage + std::size_t(index_in_page(page))];
   }
   /// The states of its bricks in raster order, for a page of a state that is not negative.
   std::span<const std::int32_t, kBricksInPage> states_in_page(std::int32_t page) const {
-    return std::span<const std::int32_t, kBricksInPage>(&slots_[std::size_t(page) * kBricksInPage],
+    return std::span<const std::int32_t, kBricksInPage>(&brick_states_[std::size_t(page) * kBricksInPage],
                                                         kBricksInPage);
   }
-  void set_page(const LatticePoint<d>& page, std::int32_t state);
+  /// Pages of a row along x that are not empty: a stored one, or successive full ones.
+  struct PageRun {
+    int begin, end;      ///< pages along x, `end` excluded
+    std::int32_t state;  ///< see page_state()
+  };
+  /// The runs among the pages from `page` on along x, without page `end`, from left to right.
+  /// Cost: the books, and the pages in stored ones.
+  std::vector<PageRun> page_runs(LatticePoint<d> page, int end) const;
+  /// Makes pages of the page box full; none of them may be stored.
+  void fill_pages(const LatticeBox<d>& pages);
   /// Stores a page at once: for each of its bricks in raster order, kEmpty, kFull, or the number of its bits in
   /// `bricks`. The page must not be stored yet.
   void set_page(const LatticePoint<d>& page, std::span<const std::int32_t> states,
                 std::span<const Brick<d>> bricks);
 
-  /// The page of a brick, and the number of the brick there.
+  /// The page of a brick, and the number of the brick there; in the same way the book of a page.
   static LatticePoint<d> page_of(const LatticePoint<d>& brick) {
     LatticePoint<d> page;
     for (int k = 0; k < d; ++k) page[k] = brick[k] >> kPageShift;
@@ -84,51 +98,85 @@ class DigitalSet {
   std::size_t memory() const;
 
  private:
-  /// Its place in the top level, or -1.
-  std::int64_t page_index(const LatticePoint<d>& page) const {
-    if (!pages_.contains(page)) return -1;
-    std::int64_t index = 0;
+  /// The book of a page in the page box.
+  std::size_t book_index(const LatticePoint<d>& page) const {
+    std::size_t index = 0;
     for (int k = d - 1; k >= 0; --k)
-      index = index * (pages_.hi[k] - pages_.lo[k] + 1) + (page[k] - pages_.lo[k]);
+      index = index * std::size_t(books_.hi[k] - books_.lo[k] + 1) +
+              std::size_t((page[k] >> kPageShift) - books_.lo[k]);
     return index;
   }
-  std::int32_t& slot(const LatticePoint<d>& brick);
+  /// The state of a page or brick, to be written to; its book, and its page, get stored.
+  std::int32_t& stored_page_state(const LatticePoint<d>& page);
+  std::int32_t& stored_state(const LatticePoint<d>& brick);
 
-  LatticeBox<d> domain_, pages_;
-  std::vector<std::int32_t> top_;    // for each page: kEmpty, kFull, or its number
-  std::vector<std::int32_t> slots_;  // for each stored page, for each brick: kEmpty, kFull, or its number
+  LatticeBox<d> domain_, pages_, books_;
+  // kEmpty, kFull, or a number: for each book; for each stored book, each page; for each stored page, each brick.
+  std::vector<std::int32_t> book_states_, page_states_, brick_states_;
   std::vector<Brick<d>> bricks_;
 };
 
+/// The states of a brick and of those that share a face with it; quicker than DigitalSet::state() for each, since
+/// most are in the same page.
+template <int d>
+class BrickNeighbours {
+ public:
+  /// Keeps a reference to the set.
+  BrickNeighbours(const DigitalSet<d>& set, const LatticePoint<d>& brick)
+      : set_(&set), brick_(brick), page_(set.page_state(DigitalSet<d>::page_of(brick))) {
+    if (page_ >= 0) own_ = set.states_in_page(page_).data() + DigitalSet<d>::index_in_page(brick);
+  }
+
+  std::int32_t state() const { return own_ ? *own_ : page_; }
+  std::int32_t next(int axis, int sign) const {
+    constexpr int kLast = DigitalSet<d>::kPageSide - 1;
+    if ((brick_[axis] & kLast) == (sign < 0 ? 0 : kLast))
+      return set_->state(brick_ + sign * LatticePoint<d>::Unit(axis));
+    return own_ ? own_[sign * (1 << (axis * DigitalSet<d>::kPageShift))] : page_;
+  }
+
+ private:
+  const DigitalSet<d>* set_;
+  LatticePoint<d> brick_;
+  std::int32_t page_;
+  const std::int32_t* own_ = nullptr;  // in the page, if that is stored
+};
+
 /// Calls visit(brick coordinates) for every brick that holds a point of the set with a neighbour outside it,
-/// and maybe for some more: raster order of pages, then of bricks. Cost O(h^-(d-1)) beside the scan of the
-/// top level.
+/// and maybe for some more: raster order of pages, then of bricks. Cost O(h^-(d-1)) beside the rows of pages
+/// and the books in them.
 template <int d, class Visit>
 void for_each_border_brick(const DigitalSet<d>& set, Visit visit) {
-  const auto has_other_neighbour = [](const auto& state_of, LatticePoint<d> b) {
+  const auto some_is_not_full = [](const auto& next_state) {
     for (int axis = 0; axis < d; ++axis)
-      for (const int direction : {-1, +1}) {
-        LatticePoint<d> next = b;
-        next[axis] += direction;
-        if (state_of(next) != DigitalSet<d>::kFull) return true;
-      }
+      for (const int sign : {-1, +1})
+        if (next_state(axis, sign) != DigitalSet<d>::kFull) return true;
     return false;
   };
-  const auto page_state = [&](const LatticePoint<d>& page) { return set.page_state(page); };
-  const auto brick_state = [&](const LatticePoint<d>& brick) { return set.state(brick); };
-  for_each_point(set.page_box(), [&](const LatticePoint<d>& page) {
-    const std::int32_t state = page_state(page);
-    if (state == DigitalSet<d>::kEmpty) return;
-    if (state == DigitalSet<d>::kFull && !has_other_neighbour(page_state, page)) return;
+  const auto visit_page = [&](const LatticePoint<d>& page, std::int32_t state) {
+    const auto next_page = [&](int axis, int sign) {
+      return set.page_state(page + sign * LatticePoint<d>::Unit(axis));
+    };
+    if (state == DigitalSet<d>::kFull && !some_is_not_full(next_page)) return;
     const LatticePoint<d> first = page * DigitalSet<d>::kPageSide;
     std::size_t i = 0;
     for_each_point(LatticeBox<d>{first, first.array() + (DigitalSet<d>::kPageSide - 1)},
                    [&](const LatticePoint<d>& brick) {
                      const std::int32_t own = state < 0 ? state : set.states_in_page(state)[i++];
                      if (own == DigitalSet<d>::kEmpty) return;
-                     if (own == DigitalSet<d>::kFull && !has_other_neighbour(brick_state, brick)) return;
+                     if (own == DigitalSet<d>::kFull) {
+                       const BrickNeighbours<d> neighbours(set, brick);
+                       const auto next = [&](int axis, int sign) { return neighbours.next(axis, sign); };
+                       if (!some_is_not_full(next)) return;
+                     }
                      visit(brick);
                    });
+  };
+  LatticeBox<d> rows = set.page_box();
+  rows.hi[0] = rows.lo[0];
+  for_each_point(rows, [&](LatticePoint<d> page) {
+    for (const auto& run : set.page_runs(page, set.page_box().hi[0] + 1))
+      for (page[0] = run.begin; page[0] < run.end; ++page[0]) visit_page(page, run.state);
   });
 }
 

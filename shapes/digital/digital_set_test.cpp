@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <set>
 
 #include "shapes/base/random.hpp"
@@ -84,7 +85,7 @@ TYPED_TEST(DigitalSets, NothingIsOutsideTheDomain) {
   constexpr int d = TypeParam::value;
   const LatticeBox<d> box{LatticePoint<d>::Constant(0), LatticePoint<d>::Constant(9)};
   DigitalSet<d> set(box);
-  set.set_page(set.page_box().lo, DigitalSet<d>::kFull);
+  set.fill_pages({set.page_box().lo, set.page_box().lo});
   for (int k = 0; k < d; ++k) {
     LatticePoint<d> z = set.domain().hi;
     EXPECT_TRUE(set.contains(z));
@@ -106,29 +107,136 @@ TYPED_TEST(DigitalSets, UniformPagesAndBricksAreNotStored) {
   constexpr int d = TypeParam::value;
   const LatticeBox<d> box{LatticePoint<d>::Constant(-300), LatticePoint<d>::Constant(300)};
   DigitalSet<d> set(box);
-  const std::size_t empty = set.memory();
-  set.set_page(set.page_box().lo, DigitalSet<d>::kFull);
-  EXPECT_EQ(set.memory(), empty);
+  set.fill_pages({set.page_box().lo, set.page_box().lo});
+  const std::size_t memory = set.memory();
+  LatticePoint<d> next = set.page_box().lo;
+  ++next[1];
+  set.fill_pages({next, next});
+  EXPECT_EQ(set.memory(), memory);
   double page_points = 1;
   for (int k = 0; k < d; ++k) page_points *= Brick<d>::extent(k) * DigitalSet<d>::kPageSide;
-  EXPECT_EQ(double(set.size()), page_points);
+  EXPECT_EQ(double(set.size()), 2 * page_points);
 
   // A hole in the full page: the rest of the page stays full.
   const LatticePoint<d> hole = set.domain().lo;
   set.set(hole, false);
-  EXPECT_EQ(double(set.size()), page_points - 1);
+  EXPECT_EQ(double(set.size()), 2 * page_points - 1);
   EXPECT_FALSE(set.contains(hole));
   EXPECT_TRUE(set.contains(hole + LatticePoint<d>::Unit(1)));
   EXPECT_GE(set.state(Brick<d>::of(hole)), 0);
   EXPECT_EQ(set.state(Brick<d>::of(hole) + LatticePoint<d>::Unit(0)), DigitalSet<d>::kFull);
-  EXPECT_THROW(set.set_page(set.page_box().lo, DigitalSet<d>::kEmpty), ContractViolation)
-      << "a stored page cannot be replaced";
-  EXPECT_THROW(set.set_page(set.page_box().hi, 0), ContractViolation);
+  EXPECT_THROW(set.fill_pages(set.page_box()), ContractViolation) << "a stored page cannot be replaced";
+  EXPECT_THROW(set.fill_pages(set.page_box().dilated(1)), ContractViolation);
 
   // A stored brick that becomes uniform still reads right.
   set.set(hole, true);
-  EXPECT_EQ(double(set.size()), page_points);
+  EXPECT_EQ(double(set.size()), 2 * page_points);
   EXPECT_EQ(set.brick(Brick<d>::of(hole)), Brick<d>::full());
+}
+
+/// An empty set over the pages from `begin` to `end`, excluded, in each direction.
+template <int d>
+DigitalSet<d> set_of_pages(int begin, int end) {
+  LatticeBox<d> box;
+  for (int k = 0; k < d; ++k) {
+    const int page = Brick<d>::extent(k) * DigitalSet<d>::kPageSide;
+    box.lo[k] = begin * page;
+    box.hi[k] = end * page - 1;
+  }
+  return DigitalSet<d>(box);
+}
+
+TYPED_TEST(DigitalSets, UniformBooksAreNotStored) {
+  constexpr int d = TypeParam::value, side = DigitalSet<d>::kPageSide;
+  DigitalSet<d> set = set_of_pages<d>(-2 * side, 2 * side);
+  const std::size_t empty = set.memory();
+  const LatticePoint<d> book = LatticePoint<d>::Constant(-side);
+  set.fill_pages({book, book.array() + (side - 1)});
+  EXPECT_EQ(set.memory(), empty);
+  const double points = std::pow(side, d) * DigitalSet<d>::kBricksInPage * Brick<d>::kBits;
+  EXPECT_EQ(double(set.size()), points);
+
+  // A hole: the rest of its page and of its book stays full.
+  const LatticePoint<d> hole = Brick<d>::origin(book * side);
+  set.set(hole, false);
+  EXPECT_EQ(double(set.size()), points - 1);
+  EXPECT_FALSE(set.contains(hole));
+  EXPECT_TRUE(set.contains(hole + LatticePoint<d>::Unit(0)));
+  EXPECT_GE(set.page_state(book), 0);
+  EXPECT_EQ(set.page_state(book + LatticePoint<d>::Unit(0)), DigitalSet<d>::kFull);
+  EXPECT_EQ(set.page_state(book - LatticePoint<d>::Unit(0)), DigitalSet<d>::kEmpty);
+  EXPECT_THROW(set.fill_pages({book, book.array() + (side - 1)}), ContractViolation);
+}
+
+TYPED_TEST(DigitalSets, PagesAreFilledWhereverTheirBoxBegins) {
+  constexpr int d = TypeParam::value, side = DigitalSet<d>::kPageSide;
+  RandomStream random{7};
+  for (int trial = 0; trial < 20; ++trial) {
+    DigitalSet<d> set = set_of_pages<d>(3 - side, 2 * side - 3);
+    const LatticePoint<d> a = random_point<d>(set.page_box(), random),
+                          b = random_point<d>(set.page_box(), random);
+    const LatticeBox<d> filled{a.cwiseMin(b), a.cwiseMax(b)};
+    set.fill_pages(filled);
+    for_each_point(set.page_box(), [&](const LatticePoint<d>& page) {
+      ASSERT_EQ(set.page_state(page) == DigitalSet<d>::kFull, filled.contains(page)) << page.transpose();
+    });
+    EXPECT_EQ(double(set.size()), filled.volume() * DigitalSet<d>::kBricksInPage * Brick<d>::kBits);
+  }
+}
+
+TYPED_TEST(DigitalSets, RunsOfPagesAreAllThatAreNotEmpty) {
+  constexpr int d = TypeParam::value, side = DigitalSet<d>::kPageSide;
+  RandomStream random{8};
+  DigitalSet<d> set = set_of_pages<d>(3 - side, 3 * side - 3);
+  set.fill_pages({LatticePoint<d>::Constant(0), LatticePoint<d>::Constant(side)});
+  LatticePoint<d> high = Brick<d>::origin(LatticePoint<d>::Constant(3 * side));
+  high[0] = set.domain().hi[0];
+  const LatticeBox<d> near{LatticePoint<d>::Constant(-2), high};
+  for (int i = 0; i < 300; ++i) {
+    set.set(random_point<d>(near, random), false);
+    set.set(random_point<d>(near, random), true);
+  }
+  LatticeBox<d> rows = set.page_box().dilated(1);
+  rows.hi[0] = rows.lo[0];
+  for_each_point(rows, [&](const LatticePoint<d>& row) {
+    LatticePoint<d> first = row;
+    first[0] += int(random.below(std::uint32_t(4 * side)));
+    const int end = first[0] + int(random.below(std::uint32_t(4 * side)));
+    LatticePoint<d> page = first;
+    for (const auto& run : set.page_runs(first, end)) {
+      for (; page[0] < run.begin; ++page[0]) ASSERT_EQ(set.page_state(page), DigitalSet<d>::kEmpty);
+      ASSERT_LT(run.begin, run.end);
+      ASSERT_TRUE(run.state == DigitalSet<d>::kFull || run.end == run.begin + 1);
+      for (; page[0] < run.end; ++page[0]) ASSERT_EQ(set.page_state(page), run.state);
+      const bool goes_on = run.state == DigitalSet<d>::kFull && page[0] < end;
+      ASSERT_TRUE(!goes_on || set.page_state(page) != DigitalSet<d>::kFull) << "one run in two";
+    }
+    for (; page[0] < end; ++page[0]) ASSERT_EQ(set.page_state(page), DigitalSet<d>::kEmpty);
+  });
+}
+
+TEST(DigitalSet, AThinSetInAWideDomainTakesLittle) {
+  const int reach = 1 << 14;
+  DigitalSet<3> set({LatticePoint<3>::Constant(-reach), LatticePoint<3>::Constant(reach - 1)});
+  for (int x = -reach; x < reach; ++x) set.set({x, 0, 0}, true);
+  EXPECT_EQ(set.size(), 2 * reach);
+  EXPECT_LT(set.memory(), std::size_t{1} << 24);  // of 2^21 books, and 2^30 pages
+}
+
+TYPED_TEST(DigitalSets, ABrickKnowsItsNeighbours) {
+  constexpr int d = TypeParam::value;
+  RandomStream random{9};
+  const LatticeBox<d> box{LatticePoint<d>::Constant(-90), LatticePoint<d>::Constant(90)};
+  DigitalSet<d> set(box);
+  set.fill_pages({LatticePoint<d>::Constant(-1), LatticePoint<d>::Constant(-1)});
+  for (int i = 0; i < 100; ++i) set.set(random_point<d>(box, random), random.below(2) == 0);
+  for_each_point(set.brick_box().dilated(2), [&](const LatticePoint<d>& b) {
+    const BrickNeighbours<d> neighbours(set, b);
+    ASSERT_EQ(neighbours.state(), set.state(b));
+    for (int axis = 0; axis < d; ++axis)
+      for (const int sign : {-1, +1})
+        ASSERT_EQ(neighbours.next(axis, sign), set.state(b + sign * LatticePoint<d>::Unit(axis)));
+  });
 }
 
 TYPED_TEST(DigitalSets, APageStoredAtOnceIsThatOfItsBricks) {
@@ -167,7 +275,7 @@ TYPED_TEST(DigitalSets, BorderBricksHoldAllPointsWithNeighboursOutside) {
   RandomStream random{4};
   const LatticeBox<d> box{LatticePoint<d>::Constant(-90), LatticePoint<d>::Constant(90)};
   DigitalSet<d> set(box);
-  set.set_page(LatticePoint<d>::Constant(-1), DigitalSet<d>::kFull);
+  set.fill_pages({LatticePoint<d>::Constant(-1), LatticePoint<d>::Constant(-1)});
   for (int i = 0; i < 200; ++i) set.set(random_point<d>(box, random), random.below(2) == 0);
   PointSet<d> bricks;
   for_each_border_brick(set, [&](const LatticePoint<d>& b) { EXPECT_TRUE(bricks.insert(b).second); });

@@ -236,7 +236,7 @@ void split_pages(Digitizer<d>& digitizer, const LatticeBox<d>& pages, DigitalSet
   const Side where = digitizer.side(points, digitizer.bound(points));
   if (where == Side::outside) return;
   if (where == Side::inside) {
-    for_each_point(pages, [&](const LatticePoint<d>& page) { set.set_page(page, DigitalSet<d>::kFull); });
+    set.fill_pages(pages);
     return;
   }
   int axis;
@@ -246,6 +246,9 @@ void split_pages(Digitizer<d>& digitizer, const LatticeBox<d>& pages, DigitalSet
   }
   LatticeBox<d> lower = pages, upper = pages;
   lower.hi[axis] = pages.lo[axis] + (pages.hi[axis] - pages.lo[axis]) / 2;
+  // Between books where there are several: a full one is not stored.
+  if (const int last = lower.hi[axis] | (DigitalSet<d>::kPageSide - 1); last < pages.hi[axis])
+    lower.hi[axis] = last;
   upper.lo[axis] = lower.hi[axis] + 1;
   split_pages(digitizer, lower, set, cut);
   split_pages(digitizer, upper, set, cut);
@@ -287,10 +290,10 @@ DigitalSet<d> gauss_digitize(const Region<d>& region, GridStep h, DigitizationWo
     for (std::size_t i = 0; i < count; ++i) {
       const auto& [states, bricks, page_work] = pages[i];
       const bool uniform = std::equal(states.begin() + 1, states.end(), states.begin());
-      if (uniform)
-        set.set_page(cut[begin + i], states[0]);
-      else
+      if (!uniform)
         set.set_page(cut[begin + i], states, bricks);
+      else if (states[0] == DigitalSet<d>::kFull)
+        set.fill_pages({cut[begin + i], cut[begin + i]});
       total.points += page_work.points;
       total.boxes += page_work.boxes;
     }

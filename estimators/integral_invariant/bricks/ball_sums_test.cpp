@@ -195,9 +195,10 @@ template <int d>
 DigitalSet<d> full_pages(int pages, int first = 0, int last = std::numeric_limits<int>::max()) {
   const int side = DigitalSet<d>::kPageSide * Brick<d>::extent(0);
   DigitalSet<d> set({LatticePoint<d>::Zero(), LatticePoint<d>::Constant(pages * side - 1)});
-  for_each_point(set.page_box(), [&](const LatticePoint<d>& page) {
-    if (first <= page[0] && page[0] <= last) set.set_page(page, DigitalSet<d>::kFull);
-  });
+  LatticeBox<d> box = set.page_box();
+  box.lo[0] = std::max(box.lo[0], first);
+  box.hi[0] = std::min(box.hi[0], last);
+  set.fill_pages(box);
   return set;
 }
 

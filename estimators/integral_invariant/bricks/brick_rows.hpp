@@ -25,7 +25,7 @@ class BrickRows {
   BrickRows(const DigitalSet<d>& set, const LatticeBox<d>& box);
 
   /// Number of rows.
-  std::size_t size() const { return row_begin_.size() - 1; }
+  std::size_t size() const { return row_begin_.size(); }
   /// The row of a brick, or size() outside the box.
   std::size_t row(const LatticePoint<d>& brick) const {
     std::size_t index = 0;
