@@ -159,8 +159,9 @@ struct Surfel {
   std::int8_t sign;
 
   LatticePoint<d> outer() const {
-    LatticePoint<d> z = inner;
-    z[axis] += sign;
+    LatticePoint<d> z;
+    // Not z[axis] += sign, which would send the point through memory.
+    for (int k = 0; k < d; ++k) z[k] = inner[k] + (k == axis ? sign : 0);
     return z;
   }
   /// Khalimsky coordinates: even along `axis` only.

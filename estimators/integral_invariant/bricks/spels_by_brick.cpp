@@ -7,12 +7,11 @@ namespace gridstep::bricks {
 
 template <int d>
 std::size_t SpelsByBrick<d>::slot(const LatticePoint<d>& brick) const {
-  std::uint64_t hash = 0;
-  for (int k = 0; k < d; ++k) {
-    hash = (hash ^ std::uint32_t(brick[k])) * 0x9e3779b97f4a7c15u;
-    hash ^= hash >> 32;
-  }
-  std::size_t i = hash & (table_.size() - 1);
+  std::uint64_t key = 0;
+  for (int k = 0; k < d; ++k) key += std::uint64_t(std::uint32_t(brick[k])) << (21 * k);
+  const int unused =
+      std::countl_zero(table_.size() - 1);  // the upper bits of the product depend on all of the key
+  std::size_t i = (key * 0x9e3779b97f4a7c15u) >> unused;
   while (table_[i] != kNone && sources_[table_[i]].brick != brick) i = (i + 1) & (table_.size() - 1);
   return i;
 }
@@ -35,6 +34,16 @@ std::uint32_t SpelsByBrick<d>::source_of(const LatticePoint<d>& brick) {
     table_[i] = std::uint32_t(sources_.size() - 1);
   }
   return table_[i];
+}
+
+template <int d>
+auto SpelsByBrick<d>::insert_brick(const LatticePoint<d>& brick) -> Memo {
+  return {Brick<d>::origin(brick), source_of(brick)};
+}
+
+template <int d>
+auto SpelsByBrick<d>::find_brick(const LatticePoint<d>& brick) const -> Memo {
+  return {Brick<d>::origin(brick), table_[slot(brick)]};
 }
 
 template <int d>

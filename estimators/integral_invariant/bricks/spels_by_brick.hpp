@@ -24,16 +24,19 @@ class SpelsByBrick {
   };
   /// Where the last spel was found: successive ones are mostly in one brick.
   struct Memo {
-    LatticePoint<d> brick = LatticePoint<d>::Constant(std::numeric_limits<int>::min());
+    LatticePoint<d> origin = LatticePoint<d>::Constant(std::numeric_limits<int>::min());  ///< of the brick
     std::uint32_t source = 0;
   };
 
   SpelsByBrick() : table_(64, kNone) {}
 
   void insert(const LatticePoint<d>& spel, Memo& memo) {
-    const LatticePoint<d> brick = Brick<d>::of(spel);
-    if (brick != memo.brick) memo = {brick, source_of(brick)};
-    sources_[memo.source].spels.set(Brick<d>::bit(spel), true);
+    int bit = bit_from(memo.origin, spel);
+    if (bit < 0) {
+      memo = insert_brick(Brick<d>::of(spel));
+      bit = Brick<d>::bit(spel);
+    }
+    sources_[memo.source].spels.words[std::size_t(bit) >> 6] |= std::uint64_t{1} << (bit & 63);
   }
   /// Inserts all that others hold.
   void merge(std::span<const SpelsByBrick> others);
@@ -41,10 +44,12 @@ class SpelsByBrick {
   void number();
   /// Position of a spel that was inserted.
   std::size_t position(const LatticePoint<d>& spel, Memo& memo) const {
-    const LatticePoint<d> brick = Brick<d>::of(spel);
-    if (brick != memo.brick) memo = {brick, table_[slot(brick)]};
+    int bit = bit_from(memo.origin, spel);
+    if (bit < 0) {
+      memo = find_brick(Brick<d>::of(spel));
+      bit = Brick<d>::bit(spel);
+    }
     const Source& source = sources_[memo.source];
-    const int bit = Brick<d>::bit(spel);
     const auto word = std::size_t(bit) >> 6;
     const std::uint64_t earlier = source.spels.words[word] & ((std::uint64_t{1} << (bit & 63)) - 1);
     return source.begin + source.before[word] + std::size_t(count_bits(earlier));
@@ -56,6 +61,19 @@ class SpelsByBrick {
  private:
   static constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
+  /// The bit of a spel in the brick of that origin, or -1 where it lies in another brick.
+  static int bit_from(const LatticePoint<d>& origin, const LatticePoint<d>& spel) {
+    unsigned beyond = 0, bit = 0;
+    for (int k = 0; k < d; ++k) {
+      const unsigned offset = unsigned(spel[k]) - unsigned(origin[k]);
+      beyond |= offset >> Brick<d>::kShift[std::size_t(k)];
+      bit += offset << Brick<d>::stride_shift(k);
+    }
+    return beyond == 0 ? int(bit) : -1;
+  }
+
+  Memo insert_brick(const LatticePoint<d>& brick);
+  Memo find_brick(const LatticePoint<d>& brick) const;
   /// The number of the source of that brick, a new one where there is none.
   std::uint32_t source_of(const LatticePoint<d>& brick);
   /// Slot of the table that holds the brick, or where it would go.
