@@ -10,6 +10,9 @@
 #include <numbers>
 
 #include "shapes/base/contracts.hpp"
+#include "shapes/digital/boundary.hpp"
+#include "shapes/digital/gauss_digitize.hpp"
+#include "shapes/digital/kanungo_noise.hpp"
 
 namespace gridstep {
 
@@ -27,23 +30,36 @@ double available_memory() {
 }  // namespace
 
 template <int d>
-double predicted_surfels(const RealBox<d>& bounds, GridStep h) {
-  const RealPoint<d> cells = bounds.sizes() / h.value;
-  double surfels = 0;
-  for (int axis = 0; axis < d; ++axis) surfels += 2 * cells.prod() / cells[axis];
-  return surfels;
+SetSize size_of(const DigitalSet<d>& set) {
+  return {double(boundary_size(set)), double(set.memory())};
 }
 
 template <int d>
-double predicted_set_memory(const RealBox<d>& bounds, GridStep h) {
-  const double bricks_for_each_surfel = 64.0 * (d == 2 ? 1.0 / 16 : 1.0 / 40);
-  const double book_cells = d == 2 ? 0x1p29 : 0x1p24;
-  const RealPoint<d> cells = bounds.sizes() / h.value;
-  return predicted_surfels<d>(bounds, h) * bricks_for_each_surfel + 4 * cells.prod() / book_cells;
+SetSize predicted_size(const std::string& name, const Shape<d>& shape, const SceneSettings<d>& settings) try {
+  constexpr double kEnough = d == 2 ? 1e4 : 1e5;  // surfels
+  constexpr int kMostHalvings = 6;                // of the step, where the shape is far smaller than its box
+  const GridStep h = settings.h;
+  const RealPoint<d> sizes = shape.bounds().sizes();
+  double area = 0;
+  for (int axis = 0; axis < d; ++axis) area += 2 * sizes.prod() / sizes[axis];
+  GridStep coarse{std::max(h.value, std::pow(area / kEnough, 1.0 / (d - 1)))};
+  for (int halvings = 0;; ++halvings) {
+    DigitalSet<d> set = gauss_digitize<d>(shape, coarse);
+    if (settings.noise > 0) set = kanungo_noise(set, settings.noise, settings.noise_seed);
+    const SetSize size = size_of(set);
+    if (size.surfels >= kEnough / 2 || coarse.value <= h.value || halvings == kMostHalvings) {
+      const double growth = std::pow(coarse.value / h.value, d - 1);
+      const double books = (sizes / h.value).prod() / (d == 2 ? 0x1p29 : 0x1p24);
+      return {growth * size.surfels, growth * size.bytes + 4 * books};
+    }
+    coarse.value = std::max(h.value, coarse.value / 2);
+  }
+} catch (const InputError& error) {
+  throw InputError(fmt::format("{}: {}", name, error.what()));
 }
 
 double predicted_surfel_memory(bool moments) {
-  return moments ? 440 : 180;
+  return moments ? 440 : 140;
 }
 
 template <int d>
@@ -83,8 +99,8 @@ void require_memory(double bytes, const std::string& what) {
 }
 
 #define GRIDSTEP_INSTANTIATE(d)                                                                           \
-  template double predicted_surfels<d>(const RealBox<d>&, GridStep);                                      \
-  template double predicted_set_memory<d>(const RealBox<d>&, GridStep);                                   \
+  template SetSize predicted_size<d>(const std::string&, const Shape<d>&, const SceneSettings<d>&);       \
+  template SetSize size_of<d>(const DigitalSet<d>&);                                                      \
   template double predicted_table_memory<d>(const EstimatorEntry::Variant<d>&, DigitalLength, Evaluation, \
                                             int);
 GRIDSTEP_INSTANTIATE(2)

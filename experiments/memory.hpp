@@ -4,19 +4,23 @@
 #include <string>
 
 #include "estimators/catalogue.hpp"
-#include "shapes/base/region.hpp"
-#include "shapes/base/units.hpp"
+#include "shapes/digital/digital_set.hpp"
+#include "shapes/scene.hpp"
 
 namespace gridstep {
 
-/// What a digitization and an estimator will hold, to within a factor of about two: the boundary is taken to have as many
-/// surfels as that of the bounding box.
-template <int d>
-double predicted_surfels(const RealBox<d>& bounds, GridStep h);
+/// What the memory of a digital set and of estimators on its boundary depends on.
+struct SetSize {
+  double surfels, bytes;
+};
 
-/// Bytes of the digital set.
+/// Of a scene, to within a factor of about two: a coarser one, which takes milliseconds, is made, and the boundary is
+/// taken to have h^-(d-1) times as many surfels. Thin parts that coarse steps do not see are missed.
+/// @throws InputError "name: ..." where the shape is too large for the step, as gauss_digitize().
 template <int d>
-double predicted_set_memory(const RealBox<d>& bounds, GridStep h);
+SetSize predicted_size(const std::string& name, const Shape<d>& shape, const SceneSettings<d>& settings);
+template <int d>
+SetSize size_of(const DigitalSet<d>& set);
 
 /// Bytes of a surfel at hand: its place, its spels and their sums, its columns of estimates and of truth.
 double predicted_surfel_memory(bool moments);

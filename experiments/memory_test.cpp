@@ -4,6 +4,7 @@
 
 #include "estimators/catalogue.hpp"
 #include "estimators/integral_invariant/bricks/ball_sums.hpp"
+#include "shapes/analytic/catalogue.hpp"
 
 namespace gridstep {
 namespace {
@@ -29,6 +30,29 @@ TEST(PredictedTableMemory, IsEnoughForBricksAndNotFarTooMuch) {
     const double counts = part_of_prediction<2, PlainSum<2, std::int64_t>>("ii", radius);
     EXPECT_LE(counts, 1) << radius;
   }
+}
+
+template <int d>
+void expect_predicted(const std::string& spec, double h, double noise = 0) {
+  const auto shape = make_shape<d>(spec);
+  SceneSettings<d> settings;
+  settings.h = {h};
+  settings.noise = noise;
+  const SetSize predicted = predicted_size<d>(spec, *shape, settings),
+                real = size_of(make_scene<d>(*shape, settings).set);
+  EXPECT_GT(predicted.surfels, 0.5 * real.surfels) << spec;
+  EXPECT_LT(predicted.surfels, 2 * real.surfels) << spec;
+  EXPECT_GT(predicted.bytes, 0.5 * real.bytes) << spec;
+  EXPECT_LT(predicted.bytes, 4 * real.bytes) << spec;
+}
+
+TEST(PredictedSize, IsThatOfTheSceneToWithinAFactorOfTwo) {
+  expect_predicted<2>("flower", 0.001);
+  expect_predicted<2>("disk", 0.5);
+  expect_predicted<3>("sphere:radius=5", 0.02);
+  expect_predicted<3>("sphere:radius=5", 0.05, 0.5);
+  expect_predicted<3>("cube", 0.05);
+  expect_predicted<3>("distel", 0.02);  // its box has a thousand times as many
 }
 
 }  // namespace

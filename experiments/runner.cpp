@@ -51,12 +51,12 @@ double work_of(const Sweep& sweep, const Shape<d>& shape, GridStep h) {
 }
 
 template <int d>
-double predicted_job_memory(const Sweep& sweep, const Shape<d>& shape, GridStep h) {
+double predicted_job_memory(const Sweep& sweep, const std::string& name, const Shape<d>& shape, GridStep h) {
   const int threads = tbb::this_task_arena::max_concurrency();
-  const double surfels = predicted_surfels<d>(shape.bounds(), h);
   SceneSettings<d> settings;
+  settings.h = h;
   settings.noise = *std::max_element(sweep.noise.begin(), sweep.noise.end());
-  double bytes = predicted_set_memory<d>(shape.bounds(), h);
+  auto [surfels, bytes] = predicted_size(name, shape, settings);
   bytes += predicted_surfel_memory(d == 3) *
            (comes_in_parts(settings) ? std::min(surfels, double(kSurfelsInPart)) : surfels);
   for (const Method& method : sweep.methods()) {
@@ -77,7 +77,7 @@ double predicted_memory(const Study& study) {
     for (const ShapeSpec& spec : sweep.shapes) {
       const double bytes = std::visit(
           [&]<int d>(const std::shared_ptr<const Shape<d>>& shape) {
-            return predicted_job_memory<d>(sweep, *shape, h);
+            return predicted_job_memory<d>(sweep, spec.canonical(), *shape, h);
           },
           make_shape(spec));
       require_memory(bytes, fmt::format("{} at h = {:.6g}", spec.canonical(), h.value));

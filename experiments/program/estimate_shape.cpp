@@ -91,7 +91,8 @@ void run(const EstimateOptions& options, const Shape<d>& shape) {
   const std::optional<EuclideanLength> R = radius_of(options, h);
   const SceneSettings<d> settings = scene_settings<d>(options, h);
   std::vector<Estimation<d>> estimations = chosen<d>(options, R);
-  const double predicted = predicted_memory<d>(estimations, shape.bounds(), h, R, options);
+  const double predicted =
+      predicted_memory<d>(estimations, predicted_size(options.shape, shape, settings), h, R, options);
   require_memory(predicted, fmt::format("{} at h = {}", options.shape, h.value));
   SurfelOutput output(options.csv, options.out, d);
 

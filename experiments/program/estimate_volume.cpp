@@ -28,12 +28,11 @@ void estimate_on_volume(EstimateOptions options) {
   const GridStep h{options.h == 0 ? volume.spacing : checked("--h", options.h)};
   const EuclideanLength R = radius_of(options, h).value_or(EuclideanLength{kDefaultRadius * h.value});
   std::vector<Estimation<3>> estimations = chosen<3>(options, R);
-  const RealBox<3> bounds(RealPoint<3>::Zero().eval(), RealPoint<3>(h.value * volume.extent.cast<double>()));
-  const double predicted = predicted_memory<3>(estimations, bounds, h, R, options);
-  require_memory(predicted, options.volume.path);
   if (!range) range = foreground(volume);
-  SurfelOutput output(options.csv, options.out, 3);
   const DigitalSet<3> set = threshold(volume, *range);
+  const double predicted = predicted_memory<3>(estimations, size_of(set), h, R, options);
+  require_memory(predicted, options.volume.path);
+  SurfelOutput output(options.csv, options.out, 3);
   const DigitalSurface<3> surface = connected_boundary(set);
   evaluate<3>(estimations, set, surface.surfels, h, R, options);
   if (!output.empty()) {

@@ -102,14 +102,13 @@ std::vector<Estimation<d>> chosen(const EstimateOptions& options, const std::opt
 }
 
 template <int d>
-double predicted_memory(const std::vector<Estimation<d>>& estimations, const RealBox<d>& bounds, GridStep h,
+double predicted_memory(const std::vector<Estimation<d>>& estimations, SetSize size, GridStep h,
                         const std::optional<EuclideanLength>& R, const EstimateOptions& options) {
   const Evaluation evaluation = parse_evaluation(options.evaluation);
-  const double surfels = predicted_surfels<d>(bounds, h);
-  double bytes = predicted_set_memory<d>(bounds, h), tables = 0;
+  double bytes = size.bytes, tables = 0;
   for (const Estimation<d>& e : estimations) {
     const bool moments = d == 3 && e.variant->quantities.size() > 1;
-    bytes += surfels * predicted_surfel_memory(moments);
+    bytes += size.surfels * predicted_surfel_memory(moments);
     if (R && e.variant->takes_options())
       tables = std::max(tables, predicted_table_memory<d>(*e.variant, to_digital(*R, h), evaluation,
                                                           tbb::this_task_arena::max_concurrency()));
@@ -223,7 +222,7 @@ std::string radius_text(const std::optional<EuclideanLength>& R, GridStep h) {
 #define GRIDSTEP_INSTANTIATE(d)                                                                              \
   template std::vector<std::string> estimators_with_quantity<d>(const EstimateOptions&);                     \
   template std::vector<Estimation<d>> chosen(const EstimateOptions&, const std::optional<EuclideanLength>&); \
-  template double predicted_memory(const std::vector<Estimation<d>>&, const RealBox<d>&, GridStep,           \
+  template double predicted_memory(const std::vector<Estimation<d>>&, SetSize, GridStep,                     \
                                    const std::optional<EuclideanLength>&, const EstimateOptions&);           \
   template void evaluate(std::vector<Estimation<d>>&, const DigitalSet<d>&, std::span<const Surfel<d>>,      \
                          GridStep, EuclideanLength, const EstimateOptions&);                                 \

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "estimators/catalogue.hpp"
+#include "experiments/memory.hpp"
 #include "experiments/program/estimate_options.hpp"
 #include "shapes/base/quadratic_bound.hpp"
 #include "shapes/files/surfel_table.hpp"
@@ -42,9 +43,9 @@ std::vector<std::string> estimators_with_quantity(const EstimateOptions& options
 template <int d>
 std::vector<Estimation<d>> chosen(const EstimateOptions& options, const std::optional<EuclideanLength>& R);
 
-/// Bytes that a digital set of these bounds, its surface and all that the estimators make of it will hold.
+/// Bytes that a digital set, its surface and all that the estimators make of it will hold.
 template <int d>
-double predicted_memory(const std::vector<Estimation<d>>& estimations, const RealBox<d>& bounds, GridStep h,
+double predicted_memory(const std::vector<Estimation<d>>& estimations, SetSize size, GridStep h,
                         const std::optional<EuclideanLength>& R, const EstimateOptions& options);
 
 template <int d>

@@ -32,13 +32,12 @@ struct Input {
   DigitalSet<3> set;
 };
 
-void require_memory_for(const DetailStudy& study, const std::string& name, const RealBox<3>& bounds,
-                        GridStep h) {
+void require_memory_for(const DetailStudy& study, const std::string& name, SetSize size, GridStep h) {
   EstimateOptions options;
   options.estimators = {study.estimator};
   const double most = *std::max_element(study.digital_radii.begin(), study.digital_radii.end());
   const EuclideanLength R{most * h.value};
-  require_memory(predicted_memory<3>(chosen<3>(options, R), bounds, h, R, options), name);
+  require_memory(predicted_memory<3>(chosen<3>(options, R), size, h, R, options), name);
 }
 
 Input input_of(const DetailStudy& study) {
@@ -47,16 +46,16 @@ Input input_of(const DetailStudy& study) {
     const std::string name = study.shape->canonical();
     SceneSettings<3> settings;
     settings.h = {study.h};
-    require_memory_for(study, name, shape->bounds(), settings.h);
+    require_memory_for(study, name, predicted_size(name, *shape, settings), settings.h);
     return {name, settings.h, make_scene<3>(*shape, settings).set};
   }
   const GreyVolume volume = read_volume(study.volume);
   const GridStep h{study.h > 0 ? study.h : volume.spacing};
-  const RealBox<3> bounds(RealPoint<3>::Zero().eval(), RealPoint<3>(h.value * volume.extent.cast<double>()));
-  require_memory_for(study, study.volume, bounds, h);
   const GreyRange range =
       study.threshold ? GreyRange{study.threshold->first, study.threshold->second} : foreground(volume);
-  return {study.volume, h, threshold(volume, range)};
+  Input input{study.volume, h, threshold(volume, range)};
+  require_memory_for(study, study.volume, size_of(input.set), h);
+  return input;
 }
 
 /// Coordinates of directions say nothing on their own.

@@ -35,12 +35,10 @@ EuclideanLength radius_of(const Record& record) {
 }
 
 /// What wrong records ask for may be far too much.
-void require_memory_for(const Record& record, const Shape<3>& shape) {
-  const GridStep h{record.h};
-  const DigitalLength radius{std::max(1.0, to_digital(radius_of(record), h).value)};
+void require_memory_for(const Record& record, SetSize size) {
+  const DigitalLength radius{std::max(1.0, to_digital(radius_of(record), {record.h}).value)};
   const int threads = tbb::this_task_arena::max_concurrency();
-  require_memory(predicted_set_memory<3>(shape.bounds(), h) +
-                     predicted_surfels<3>(shape.bounds(), h) * predicted_surfel_memory(true) +
+  require_memory(size.bytes + size.surfels * predicted_surfel_memory(true) +
                      predicted_table_memory<3>(find_estimator(record.estimator).variant<3>(), radius,
                                                Evaluation::bricks, threads),
                  record.estimator);
@@ -103,7 +101,8 @@ RecordedSurface remake_surface(const std::vector<const Record*>& records) {
   try {
     const auto shape = make_shape<3>(first.shape);
     const SceneSettings<3> settings = settings_of(first);
-    for (const Record* record : records) require_memory_for(*record, *shape);
+    const SetSize size = predicted_size(first.shape, *shape, settings);
+    for (const Record* record : records) require_memory_for(*record, size);
     Scene<3> scene = make_scene<3>(*shape, settings);
     if (std::int64_t(scene.surfels.size()) != first.surfels)
       throw InputError(

@@ -183,6 +183,11 @@ std::vector<Surfel<d>> boundary(const DigitalSet<d>& set) {
 }
 
 template <int d>
+std::size_t boundary_size(const DigitalSet<d>& set) {
+  return begin_of_bricks<d>(set, border_bricks(set)).back();
+}
+
+template <int d>
 void for_each_boundary_chunk(const DigitalSet<d>& set, std::size_t most,
                              const std::function<void(std::span<const Surfel<d>>)>& visit) {
   constexpr std::size_t kBatch = 4096;  // bricks: work for all threads, some hundred kilobytes
@@ -250,6 +255,7 @@ DigitalSurface<d> connected_boundary(const DigitalSet<d>& set, SurfelAdjacency a
 
 #define GRIDSTEP_INSTANTIATE(d)                                                                          \
   template std::vector<Surfel<d>> boundary(const DigitalSet<d>&);                                        \
+  template std::size_t boundary_size(const DigitalSet<d>&);                                              \
   template void for_each_boundary_chunk(const DigitalSet<d>&, std::size_t,                               \
                                         const std::function<void(std::span<const Surfel<d>>)>&);         \
   template Surfel<d> adjacent_surfel(const DigitalSet<d>&, const Surfel<d>&, int, int, SurfelAdjacency); \

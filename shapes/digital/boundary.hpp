@@ -15,6 +15,10 @@ namespace gridstep {
 template <int d>
 std::vector<Surfel<d>> boundary(const DigitalSet<d>& set);
 
+/// The number of surfels of boundary(), without them.
+template <int d>
+std::size_t boundary_size(const DigitalSet<d>& set);
+
 /// The surfels of boundary() in the same order, never all of them at once: visit() gets one chunk after the
 /// other, of whole bricks with at most `most` surfels, or one brick that alone has more, up to 1536. Chunks are
 /// not empty and valid during the call. Memory O(most).
