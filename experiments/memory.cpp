@@ -12,7 +12,6 @@
 #include "shapes/base/contracts.hpp"
 #include "shapes/digital/boundary.hpp"
 #include "shapes/digital/gauss_digitize.hpp"
-#include "shapes/digital/kanungo_noise.hpp"
 
 namespace gridstep {
 
@@ -27,6 +26,16 @@ double available_memory() {
   return double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGE_SIZE));
 }
 
+/// How many surfels a plane x = 0 is expected to have for each one, under kanungo_noise(): points in the k-th layer on
+/// either side of it flip with probability p_k = beta^k, and neighbours of the same side get a surfel with p + q - 2 p q.
+template <int d>
+double growth_by_noise(double beta) {
+  const double sum = beta / (1 - beta), sum_of_squares = beta * beta / (1 - beta * beta);
+  const double within_layers = 2 * (d - 1) * (sum - sum_of_squares);
+  const double between_layers = 2 * sum - beta - 2 * beta * sum_of_squares;
+  return 1 - 2 * beta * (1 - beta) + 2 * (within_layers + between_layers);
+}
+
 }  // namespace
 
 template <int d>
@@ -36,24 +45,24 @@ SetSize size_of(const DigitalSet<d>& set) {
 
 template <int d>
 SetSize predicted_size(const std::string& name, const Shape<d>& shape, const SceneSettings<d>& settings) try {
-  constexpr double kEnough = d == 2 ? 1e4 : 1e5;  // surfels
-  constexpr int kMostHalvings = 6;                // of the step, where the shape is far smaller than its box
+  constexpr double kMostOfBox = d == 2 ? 1e4 : 1e5;  // surfels that the box would have, and half of them do
+  constexpr double kMostBooks = 0x1p20;
   const GridStep h = settings.h;
-  const RealPoint<d> sizes = shape.bounds().sizes();
-  double area = 0;
-  for (int axis = 0; axis < d; ++axis) area += 2 * sizes.prod() / sizes[axis];
-  GridStep coarse{std::max(h.value, std::pow(area / kEnough, 1.0 / (d - 1)))};
-  for (int halvings = 0;; ++halvings) {
-    DigitalSet<d> set = gauss_digitize<d>(shape, coarse);
-    if (settings.noise > 0) set = kanungo_noise(set, settings.noise, settings.noise_seed);
-    const SetSize size = size_of(set);
-    if (size.surfels >= kEnough / 2 || coarse.value <= h.value || halvings == kMostHalvings) {
-      const double growth = std::pow(coarse.value / h.value, d - 1);
-      const double books = (sizes / h.value).prod() / (d == 2 ? 0x1p29 : 0x1p24);
-      return {growth * size.surfels, growth * size.bytes + 4 * books};
-    }
-    coarse.value = std::max(h.value, coarse.value / 2);
+  const RealPoint<d> cells = digital_bounds<d>(shape, h).extent().template cast<double>();
+  const double books = cells.prod() / DigitalSet<d>::kBookPoints;
+  double of_box = 0;
+  for (int axis = 0; axis < d; ++axis) of_box += 2 * cells.prod() / cells[axis];
+
+  double steps = std::max(1.0, std::pow(of_box / kMostOfBox, 1.0 / (d - 1)));  // the coarser step, in h
+  SetSize size = size_of(gauss_digitize<d>(shape, {steps * h.value}));
+  // Where the shape is far smaller than its box.
+  while (size.surfels < kMostOfBox / 2 && steps > 1 && books / std::pow(steps / 2, d) < kMostBooks) {
+    steps = std::max(1.0, steps / 2);
+    size = size_of(gauss_digitize<d>(shape, {steps * h.value}));
   }
+  const double growth = std::pow(steps, d - 1) * growth_by_noise<d>(settings.noise);
+  const double surfels = size.surfels > 0 ? growth * size.surfels : of_box;
+  return {surfels, growth * size.bytes + 4 * books};
 } catch (const InputError& error) {
   throw InputError(fmt::format("{}: {}", name, error.what()));
 }

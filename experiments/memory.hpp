@@ -14,9 +14,10 @@ struct SetSize {
   double surfels, bytes;
 };
 
-/// Of a scene, to within a factor of about two: a coarser one, which takes milliseconds, is made, and the boundary is
-/// taken to have h^-(d-1) times as many surfels. Thin parts that coarse steps do not see are missed.
-/// @throws InputError "name: ..." where the shape is too large for the step, as gauss_digitize().
+/// Of a scene, its surfels to within a factor of about two: a coarser digitization, which takes milliseconds, is made,
+/// and the boundary taken to grow like h^-(d-1). Parts too thin for it are missed, unless nothing else is there:
+/// then it is the boundary of the bounding box. Turned shapes count as if they were not.
+/// @throws InputError "name: ..." as digital_bounds().
 template <int d>
 SetSize predicted_size(const std::string& name, const Shape<d>& shape, const SceneSettings<d>& settings);
 template <int d>

@@ -13,8 +13,8 @@ namespace gridstep {
 /// A finite set of digital points, stored as bit bricks under a sparse index of two levels.
 ///
 /// A brick is empty, full or mixed, and only mixed bricks are stored. A page indexes kPageSide^d bricks, a
-/// book kPageSide^d pages; those that are all empty or all full are not stored either. Memory is O(h^-(d-1)) but
-/// for an array of 4 bytes for each book of the domain (2^24 points in 3D, 2^29 in 2D).
+/// book kPageSide^d pages; those that were made all empty or all full at once are not stored either. Memory is
+/// O(h^-(d-1)) but for an array of 4 bytes for each book of the domain (kBookPoints points).
 /// Points outside the domain are not in the set. Reading is thread-safe; writing is not.
 template <int d>
 class DigitalSet {
@@ -23,6 +23,7 @@ class DigitalSet {
   static constexpr int kPageShift = d == 2 ? 5 : 3;
   static constexpr int kPageSide = 1 << kPageShift;
   static constexpr int kBricksInPage = 1 << (d * kPageShift);
+  static constexpr double kBookPoints = double(kBricksInPage) * kBricksInPage * Brick<d>::kBits;
   static constexpr std::int32_t kEmpty = -1, kFull = -2;  ///< states of what is not stored
 
   /// The empty set over a domain, which is enlarged to whole pages.
@@ -75,6 +76,20 @@ class DigitalSet {
   /// The runs among the pages from `page` on along x, without page `end`, from left to right.
   /// Cost: the books, and the pages in stored ones.
   std::vector<PageRun> page_runs(LatticePoint<d> page, int end) const;
+  /// Calls visit(page) with the first page of each row of pages along x, in raster order, but for rows whose books are
+  /// all empty.
+  template <class Visit>
+  void for_each_row_of_pages(Visit visit) const {
+    const auto books_in_row = std::size_t(books_.hi[0] - books_.lo[0] + 1);
+    std::vector<bool> has_some(book_states_.size() / books_in_row);
+    for (std::size_t book = 0; book < book_states_.size(); ++book)
+      if (book_states_[book] != kEmpty) has_some[book / books_in_row] = true;
+    LatticeBox<d> rows = pages_;
+    rows.hi[0] = rows.lo[0];
+    for_each_point(rows, [&](const LatticePoint<d>& page) {
+      if (has_some[book_index(page) / books_in_row]) visit(page);
+    });
+  }
   /// Makes pages of the page box full; none of them may be stored.
   void fill_pages(const LatticeBox<d>& pages);
   /// Stores a page at once: for each of its bricks in raster order, kEmpty, kFull, or the number of its bits in
@@ -143,8 +158,8 @@ class BrickNeighbours {
 };
 
 /// Calls visit(brick coordinates) for every brick that holds a point of the set with a neighbour outside it,
-/// and maybe for some more: raster order of pages, then of bricks. Cost O(h^-(d-1)) beside the rows of pages
-/// and the books in them.
+/// and maybe for some more: raster order of pages, then of bricks. Cost O(h^-(d-1)) beside a look at every book,
+/// every row of pages and every full page.
 template <int d, class Visit>
 void for_each_border_brick(const DigitalSet<d>& set, Visit visit) {
   const auto some_is_not_full = [](const auto& next_state) {
@@ -172,9 +187,7 @@ void for_each_border_brick(const DigitalSet<d>& set, Visit visit) {
                      visit(brick);
                    });
   };
-  LatticeBox<d> rows = set.page_box();
-  rows.hi[0] = rows.lo[0];
-  for_each_point(rows, [&](LatticePoint<d> page) {
+  set.for_each_row_of_pages([&](LatticePoint<d> page) {
     for (const auto& run : set.page_runs(page, set.page_box().hi[0] + 1))
       for (page[0] = run.begin; page[0] < run.end; ++page[0]) visit_page(page, run.state);
   });

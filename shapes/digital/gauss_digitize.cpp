@@ -225,6 +225,15 @@ class Digitizer {
   std::vector<OpenBit> open_bits_;  // of the open points
 };
 
+/// The last page of the lower half of pages lo to hi: the last one of a book where there are several books, since full
+/// ones need not be stored.
+template <int d>
+int last_before_middle(int lo, int hi) {
+  const int middle = lo + (hi - lo) / 2, last = middle | (DigitalSet<d>::kPageSide - 1);
+  if (last < hi) return last;
+  return last - DigitalSet<d>::kPageSide >= lo ? last - DigitalSet<d>::kPageSide : middle;
+}
+
 /// Pages that may be cut, found by halving the box of all pages along its longest side.
 template <int d>
 void split_pages(Digitizer<d>& digitizer, const LatticeBox<d>& pages, DigitalSet<d>& set,
@@ -245,10 +254,7 @@ void split_pages(Digitizer<d>& digitizer, const LatticeBox<d>& pages, DigitalSet
     return;
   }
   LatticeBox<d> lower = pages, upper = pages;
-  lower.hi[axis] = pages.lo[axis] + (pages.hi[axis] - pages.lo[axis]) / 2;
-  // Between books where there are several: a full one is not stored.
-  if (const int last = lower.hi[axis] | (DigitalSet<d>::kPageSide - 1); last < pages.hi[axis])
-    lower.hi[axis] = last;
+  lower.hi[axis] = last_before_middle<d>(pages.lo[axis], pages.hi[axis]);
   upper.lo[axis] = lower.hi[axis] + 1;
   split_pages(digitizer, lower, set, cut);
   split_pages(digitizer, upper, set, cut);

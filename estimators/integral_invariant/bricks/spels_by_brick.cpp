@@ -9,9 +9,10 @@ template <int d>
 std::size_t SpelsByBrick<d>::slot(const LatticePoint<d>& brick) const {
   std::uint64_t key = 0;
   for (int k = 0; k < d; ++k) key += std::uint64_t(std::uint32_t(brick[k])) << (21 * k);
-  const int unused =
-      std::countl_zero(table_.size() - 1);  // the upper bits of the product depend on all of the key
-  std::size_t i = (key * 0x9e3779b97f4a7c15u) >> unused;
+  // Twice, since products alone put bricks of a plane in few places. The upper bits depend on all others.
+  key *= 0x9e3779b97f4a7c15u;
+  key = (key ^ (key >> 32)) * 0x9e3779b97f4a7c15u;
+  std::size_t i = key >> std::countl_zero(table_.size() - 1);
   while (table_[i] != kNone && sources_[table_[i]].brick != brick) i = (i + 1) & (table_.size() - 1);
   return i;
 }
