@@ -7,12 +7,11 @@ namespace gridstep::bricks {
 
 template <int d>
 std::size_t SpelsByBrick<d>::slot(const LatticePoint<d>& brick) const {
-  std::uint64_t key = 0;
-  for (int k = 0; k < d; ++k) key += std::uint64_t(std::uint32_t(brick[k])) << (21 * k);
-  // Twice, since products alone put bricks of a plane in few places. The upper bits depend on all others.
-  key *= 0x9e3779b97f4a7c15u;
-  key = (key ^ (key >> 32)) * 0x9e3779b97f4a7c15u;
-  std::size_t i = key >> std::countl_zero(table_.size() - 1);
+  static constexpr std::array<std::uint64_t, 3> kFactors{0x9e3779b97f4a7c15u, 0xbf58476d1ce4e5b9u,
+                                                         0x94d049bb133111ebu};
+  std::uint64_t hash = 0;  // not a sum, which puts the bricks of a plane in few places
+  for (int k = 0; k < d; ++k) hash ^= std::uint32_t(brick[k]) * kFactors[std::size_t(k)];
+  std::size_t i = hash >> std::countl_zero(table_.size() - 1);  // the upper bits depend on all others
   while (table_[i] != kNone && sources_[table_[i]].brick != brick) i = (i + 1) & (table_.size() - 1);
   return i;
 }
