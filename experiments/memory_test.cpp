@@ -33,24 +33,26 @@ TEST(PredictedTableMemory, IsEnoughForBricksAndNotFarTooMuch) {
 }
 
 template <int d>
-void expect_predicted(const std::string& spec, double h, double noise = 0) {
-  const auto shape = make_shape<d>(spec);
+SceneSettings<d> settings_of(double h, double noise) {
   SceneSettings<d> settings;
   settings.h = {h};
   settings.noise = noise;
-  const SetSize predicted = predicted_size<d>(spec, *shape, settings),
-                real = size_of(make_scene<d>(*shape, settings).set);
-  EXPECT_GT(predicted.surfels, 0.5 * real.surfels) << spec;
-  EXPECT_LT(predicted.surfels, 2 * real.surfels) << spec;
-  EXPECT_GT(predicted.bytes, 0.2 * real.bytes) << spec;
-  EXPECT_LT(predicted.bytes, 5 * real.bytes) << spec;
+  return settings;
 }
 
+template <int d = 3>
 SetSize predicted(const std::string& spec, double h, double noise = 0) {
-  SceneSettings<3> settings;
-  settings.h = {h};
-  settings.noise = noise;
-  return predicted_size<3>(spec, *make_shape<3>(spec), settings);
+  return predicted_size<d>(spec, *make_shape<d>(spec), settings_of<d>(h, noise));
+}
+
+template <int d>
+void expect_predicted(const std::string& spec, double h, double noise = 0) {
+  const SetSize size = predicted<d>(spec, h, noise),
+                real = size_of(make_scene<d>(*make_shape<d>(spec), settings_of<d>(h, noise)).set);
+  EXPECT_GT(size.surfels, 0.5 * real.surfels) << spec;
+  EXPECT_LT(size.surfels, 2 * real.surfels) << spec;
+  EXPECT_GT(size.bytes, 0.2 * real.bytes) << spec;
+  EXPECT_LT(size.bytes, 5 * real.bytes) << spec;
 }
 
 TEST(PredictedSize, IsThatOfTheSceneToWithinAFactorOfTwo) {
