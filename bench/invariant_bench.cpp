@@ -187,6 +187,7 @@ int main(int argc, char** argv) {
   using enum Evaluation;
   using Count2 = PlainSum<2, std::int64_t>;
   using Count3 = PlainSum<3, std::int64_t>;
+  using Moments2 = MomentSums<2, std::int64_t>;
   using Moments3 = MomentSums<3, std::int64_t>;
   add<3, Count3>("count", {full}, {5, 10, 20});
   add<3, Count3>("count", {masks}, {5, 10, 20, 40, 80});
@@ -198,11 +199,15 @@ int main(int argc, char** argv) {
   add<2, Count2>("count", {full}, {20, 90, 171});
   add<2, Count2>("count", {masks}, {20, 90, 171, 500});
   add<2, Count2>("count", {bricks}, {20, 90, 171, 500, 2000});
+  add<2, Moments2>("moments", {full}, {20, 90, 171});
+  add<2, Moments2>("moments", {masks}, {20, 90, 171, 500});
+  add<2, Moments2>("moments", {bricks}, {20, 90, 171, 500, 2000});
   const std::vector<bricks::Target>& targets = bricks::targets();
   for (std::size_t i = 1; i < targets.size(); ++i) {
     add<3, Count3>("count", {bricks, targets[i].name}, {20, 40});
     add<3, Moments3>("moments", {bricks, targets[i].name}, {20, 40});
     add<2, Count2>("count", {bricks, targets[i].name}, {171});
+    add<2, Moments2>("moments", {bricks, targets[i].name}, {171});
   }
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;

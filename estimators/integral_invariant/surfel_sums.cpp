@@ -152,6 +152,7 @@ void SurfelSums<d, Sum>::eval_bricks(std::span<const Surfel<d>> surfels, std::si
 }
 
 template class SurfelSums<2, PlainSum<2, std::int64_t>>;
+template class SurfelSums<2, MomentSums<2, std::int64_t>>;
 template class SurfelSums<3, PlainSum<3, std::int64_t>>;
 template class SurfelSums<3, MomentSums<3, std::int64_t>>;
 

@@ -16,7 +16,7 @@ template <int d>
 struct Lines {
   static constexpr int kLength = Brick<d>::extent(0);
   static constexpr int kCount = Brick<d>::kBits / kLength;
-  using Width = std::conditional_t<d == 2, std::uint64_t, std::uint8_t>;
+  using Width = std::conditional_t<d == 2, std::int64_t, std::uint8_t>;
   /// A number for each line of a brick; 64 bytes, a cache line.
   struct alignas(64) Widths {
     std::array<Width, kCount> of;

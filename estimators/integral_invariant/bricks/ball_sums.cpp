@@ -90,6 +90,7 @@ UninitializedVector<Sum> BallSums<d, Sum>::eval(const DigitalSet<d>& set, const 
 }
 
 template class BallSums<2, PlainSum<2, std::int64_t>>;
+template class BallSums<2, MomentSums<2, std::int64_t>>;
 template class BallSums<3, PlainSum<3, std::int64_t>>;
 template class BallSums<3, MomentSums<3, std::int64_t>>;
 

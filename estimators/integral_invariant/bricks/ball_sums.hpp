@@ -39,8 +39,8 @@
 
 namespace gridstep::bricks {
 
-/// Sums over the balls of one radius. Sum is PlainSum<d, std::int64_t> or, in 3D, MomentSums<3, std::int64_t>,
-/// with offsets taken from the spel.
+/// Sums over the balls of one radius. Sum is PlainSum<d, std::int64_t> or MomentSums<d, std::int64_t>, with offsets taken
+/// from the spel.
 template <int d, class Sum>
 class BallSums {
  public:
@@ -67,6 +67,7 @@ class BallSums {
 };
 
 extern template class BallSums<2, PlainSum<2, std::int64_t>>;
+extern template class BallSums<2, MomentSums<2, std::int64_t>>;
 extern template class BallSums<3, PlainSum<3, std::int64_t>>;
 extern template class BallSums<3, MomentSums<3, std::int64_t>>;
 

@@ -40,11 +40,14 @@ INSTANTIATE_TEST_SUITE_P(BrickSums, OnTarget, testing::ValuesIn(target_names()),
   return name;
 });
 
-template <class Sum, int d>
+template <int d>
 void expect_equal_to_full(const RandomBall& ball, const RandomSet<d>& set) {
-  const Evaluations<Sum, d> evaluations(ball);
-  EXPECT_TRUE(evaluations.bricks(set) == evaluations.full(set))
-      << set.kind << " in " << d << "D, R/h = " << ball.radius.value << ", half axis " << ball.half_axis;
+  const Evaluations<PlainSum<d, std::int64_t>, d> counts(ball);
+  const Evaluations<MomentSums<d, std::int64_t>, d> moments(ball);
+  const std::string where =
+      fmt::format("{} in {}D, R/h = {}, half axis {}", set.kind, d, ball.radius.value, ball.half_axis);
+  EXPECT_TRUE(counts.bricks(set) == counts.full(set)) << where;
+  EXPECT_TRUE(moments.bricks(set) == moments.full(set)) << where;
 }
 
 void expect_equal_to_full(std::uint64_t seed, int largest_in_2d, int largest_in_3d, std::size_t spels) {
@@ -52,10 +55,8 @@ void expect_equal_to_full(std::uint64_t seed, int largest_in_2d, int largest_in_
   RandomStream random({seed});
   const RandomBall disk = random_ball<2>(random, largest_in_2d), ball = random_ball<3>(random, largest_in_3d);
   // Some of these sets hold the ball, with bricks all around its boundary.
-  expect_equal_to_full<Count2>(disk, random_set<2>(random, 16 + 3 * largest_in_2d, spels));
-  const auto set = random_set<3>(random, 16 + 2 * largest_in_3d, spels);
-  expect_equal_to_full<Count3>(ball, set);
-  expect_equal_to_full<Moments3>(ball, set);
+  expect_equal_to_full(disk, random_set<2>(random, 16 + 3 * largest_in_2d, spels));
+  expect_equal_to_full(ball, random_set<3>(random, 16 + 2 * largest_in_3d, spels));
 }
 
 TEST_P(OnTarget, BrickSumsEqualTheFullKernelOnRandomSets) {
@@ -94,25 +95,29 @@ TEST_P(OnTarget, BrickSumsOfNearlyFullBricksFitTheirCounters) {
   }
 }
 
+template <int d>
 struct HugeBalls {
   double R;
   int half_axis;
-  BallSums<3, Moments3> moments{{R}, half_axis};
-  BallSums<3, Count3> counts{{R}, half_axis};
+  BallSums<d, MomentSums<d, std::int64_t>> moments{{R}, half_axis};
+  BallSums<d, PlainSum<d, std::int64_t>> counts{{R}, half_axis};
 };
 
-/// Compares with the definition, by the target in use, over noise that is full where y < 0.
-void expect_the_definition(const HugeBalls& balls, const LatticeBox<3>& box, RandomStream& random) {
-  RandomSet<3> one{DigitalSet<3>(box), {{0, 0, 0}, {5, 3, 7}, {7, 7, 7}}, "half noise"};
-  for_each_point(box, [&](const LatticePoint<3>& z) {
-    if (z[1] < 0 || random.below(2) == 0) one.set.set(z, true);
+/// Compares with the definition, by the target in use, over noise that is full where y < y_of_noise.
+template <int d>
+void expect_the_definition(const HugeBalls<d>& balls, const LatticeBox<d>& box, RandomStream& random,
+                           int y_of_noise = 0) {
+  const LatticePoint<d> last = Brick<d>::offset(Brick<d>::kBits - 1);
+  RandomSet<d> one{DigitalSet<d>(box), {LatticePoint<d>::Zero(), last / 2, last}, "half noise"};
+  for_each_point(box, [&](const LatticePoint<d>& z) {
+    if (z[1] < y_of_noise || random.below(2) == 0) one.set.set(z, true);
   });
-  std::vector<Moments3> expected(one.spels.size());
-  for_each_point(box, [&](const LatticePoint<3>& z) {
+  std::vector<MomentSums<d, std::int64_t>> expected(one.spels.size());
+  for_each_point(box, [&](const LatticePoint<d>& z) {
     if (!one.set.contains(z)) return;
     for (std::size_t i = 0; i < expected.size(); ++i) {
-      const LatticePoint<3> offset = z - one.spels[i];
-      RealPoint<3> from_centre = offset.cast<double>();
+      const LatticePoint<d> offset = z - one.spels[i];
+      RealPoint<d> from_centre = offset.template cast<double>();
       if (balls.half_axis == 0) from_centre[0] -= 0.5;
       if (from_centre.squaredNorm() <= balls.R * balls.R) expected[i].add(1, offset);
     }
@@ -132,17 +137,28 @@ TEST_P(OnTarget, BrickSumsAreThoseOfTheDefinitionForHugeBalls) {
       left_of_cap{{-170, -20, 205}, {-1, 3, 260}}, right{{140, 0, 140}, {240, 12, 180}},
       left{{-240, 0, 140}, {-140, 12, 180}};
   for (const int half_axis : {-1, 0}) {
-    const HugeBalls balls{246.9, half_axis};
+    const HugeBalls<3> balls{246.9, half_axis};
     RandomStream random({std::uint64_t(half_axis + 1)});
     for (const LatticeBox<3>& box : {cap, right_of_cap, left_of_cap, right, left})
       expect_the_definition(balls, box, random);
   }
 }
 
+TEST_P(OnTarget, BrickSumsAreThoseOfTheDefinitionForHugeDisks) {
+  const LatticeBox<2> cap{{-1500, 15850}, {1500, 15910}}, right{{15700, -40}, {15960, 100}},
+      left{{-15960, -40}, {-15700, 100}}, steep{{11100, 11200}, {11400, 11300}};
+  for (const int half_axis : {-1, 0}) {
+    const HugeBalls<2> disks{15900.3, half_axis};
+    RandomStream random({std::uint64_t(half_axis + 1)});
+    for (const LatticeBox<2>& box : {cap, right, left, steep})
+      expect_the_definition(disks, box, random, (box.lo[1] + box.hi[1]) / 2);
+  }
+}
+
 TEST(BrickSums, AreThoseOfTheDefinitionWhereSidesHaveSeveralParts) {
   const LatticeBox<3> right{{1, -9, 376}, {140, 20, 399}}, left{{-140, -9, 376}, {-1, 20, 399}};
   for (const int half_axis : {-1, 0}) {
-    const HugeBalls balls{400, half_axis};
+    const HugeBalls<3> balls{400, half_axis};
     const BallRows<3> rows({balls.R}, half_axis);
     EXPECT_TRUE(std::any_of(rows.sides().begin(), rows.sides().end(), [&](const auto& row) {
       return row.parts > 1 && right.contains(Brick<3>::origin(row.brick) + LatticePoint<3>(8, 0, 0));
@@ -200,6 +216,20 @@ DigitalSet<d> full_pages(int pages, int first = 0, int last = std::numeric_limit
   box.hi[0] = std::min(box.hi[0], last);
   set.fill_pages(box);
   return set;
+}
+
+TEST(Stretch, HasExactSumsForAnyLength) {
+  __extension__ typedef unsigned __int128 Wide;
+  for (const std::int64_t first : {0, 5, -500'000'000})
+    for (const std::int64_t length : {0, 1, 2, 3, 64, 2'000'000, 3'000'001, 2'000'000'000}) {
+      const Wide n = Wide(length), start = Wide(first), triangle = length > 0 ? n * (n - 1) / 2 : 0,
+                 squares = triangle * (2 * n - 1) / 3;
+      const Stretch stretch(first, length);
+      EXPECT_EQ(stretch.n, std::uint64_t(n));
+      EXPECT_EQ(stretch.x, std::uint64_t(n * start + triangle)) << first << ' ' << length;
+      EXPECT_EQ(stretch.xx, std::uint64_t(n * start * start + 2 * start * triangle + squares))
+          << first << ' ' << length;
+    }
 }
 
 TEST(BrickSums, HaveNoLimitThatStudiesWouldMeet) {

@@ -63,6 +63,7 @@ BrickRows<d, Sum>::BrickRows(const DigitalSet<d>& set, const LatticeBox<d>& box)
 
 template class BrickRows<2, Counts<2>>;
 template class BrickRows<3, Counts<3>>;
-template class BrickRows<3, Moments>;
+template class BrickRows<2, Moments<2>>;
+template class BrickRows<3, Moments<3>>;
 
 }  // namespace gridstep::bricks

@@ -12,6 +12,10 @@ template <int d>
 void add_brick(Counts<d>& sum, const Brick<d>& brick, const LatticePoint<d>&) {
   sum.n += std::uint64_t(brick.count());
 }
-void add_brick(Moments& sum, const Brick<3>& brick, const LatticePoint<3>& origin);
+template <int d>
+void add_brick(Moments<d>& sum, const Brick<d>& brick, const LatticePoint<d>& origin);
+
+extern template void add_brick(Moments<2>&, const Brick<2>&, const LatticePoint<2>&);
+extern template void add_brick(Moments<3>&, const Brick<3>&, const LatticePoint<3>&);
 
 }  // namespace gridstep::bricks

@@ -81,9 +81,11 @@ void cut_plain(const SourceLists<d, Sum>& lists, const BallRows<d>& ball, std::s
 
 template void cut_plain(const SourceLists<2, Counts<2>>&, const BallRows<2>&, std::span<const std::uint16_t>,
                         Counts<2>*);
+template void cut_plain(const SourceLists<2, Moments<2>>&, const BallRows<2>&, std::span<const std::uint16_t>,
+                        Moments<2>*);
 template void cut_plain(const SourceLists<3, Counts<3>>&, const BallRows<3>&, std::span<const std::uint16_t>,
                         Counts<3>*);
-template void cut_plain(const SourceLists<3, Moments>&, const BallRows<3>&, std::span<const std::uint16_t>,
-                        Moments*);
+template void cut_plain(const SourceLists<3, Moments<3>>&, const BallRows<3>&, std::span<const std::uint16_t>,
+                        Moments<3>*);
 
 }  // namespace gridstep::bricks

@@ -24,7 +24,8 @@ using Modular = typename ModularOf<Sum>::type;
 
 template <int d>
 using Counts = PlainSum<d, std::uint64_t>;
-using Moments = MomentSums<3, std::uint64_t>;
+template <int d>
+using Moments = MomentSums<d, std::uint64_t>;
 
 template <int d>
 PlainSum<d, std::int64_t> to_signed(const Counts<d>& sum) {
@@ -48,62 +49,58 @@ void add(Sum& sum, const Sum& other) {
   sum.merge(other, 1);
 }
 
-/// Sums of 1, x, x^2 over x = first, ..., first + length - 1; exact modulo 2^64 for lengths below 10^6.
+/// Sums of 1, x, x^2 over x = first, ..., first + length - 1; for lengths below 2^32.
 struct Stretch {
   std::uint64_t n, x, xx;
 
-  Stretch(std::int64_t first, std::int64_t length)
-      : n(std::uint64_t(length)),
-        x(n * std::uint64_t(first) + n * (n - 1) / 2),
-        xx(n * std::uint64_t(first) * std::uint64_t(first) + std::uint64_t(first) * (n * (n - 1)) +
-           (n > 0 ? (n - 1) * n * (2 * n - 1) / 6 : 0)) {}
+  Stretch(std::int64_t first, std::int64_t length) : n(std::uint64_t(length)) {
+    constexpr std::uint64_t kThird = 0xaaaa'aaaa'aaaa'aaab;  // times 3 it is 1: divides multiples of 3
+    const auto start = std::uint64_t(first);
+    const std::uint64_t triangle = n * (n - 1) / 2;  // 0 + 1 + ... + (length - 1)
+    x = n * start + triangle;
+    xx = n * start * start + 2 * start * triangle + triangle * (2 * n - 1) * kThird;
+  }
 };
 
-/// Adds the `length` points from `first` on along x.
-template <int d>
-void add_stretch(Counts<d>& sum, const LatticePoint<d>&, std::int64_t length) {
-  sum.n += std::uint64_t(length);
+/// The points of a plane p_axis = 0, again for every p_axis of a stretch.
+template <int axis, int d>
+Counts<d> extruded(const Counts<d>& plane, const Stretch& along) {
+  return {plane.n * along.n};
 }
-inline void add_stretch(Moments& sum, const LatticePoint<3>& first, std::int64_t length) {
-  const Stretch s(first[0], length);
-  const auto y = std::uint64_t(first[1]), z = std::uint64_t(first[2]);
-  add(sum, {s.n, {s.x, y * s.n, z * s.n}, {s.xx, y * s.x, z * s.x, y * y * s.n, y * z * s.n, z * z * s.n}});
-}
-
-/// The points of a plane x = 0, again for every x of a stretch.
-template <int d>
-Counts<d> extruded(const Counts<d>& plane, const Stretch& x) {
-  return {plane.n * x.n};
-}
-inline Moments extruded(const Moments& plane, const Stretch& x) {
-  const auto& [n, first, second] = plane;
-  return {n * x.n,
-          {n * x.x, first[1] * x.n, first[2] * x.n},
-          {n * x.xx, first[1] * x.x, first[2] * x.x, second[3] * x.n, second[4] * x.n, second[5] * x.n}};
+template <int axis, int d>
+Moments<d> extruded(const Moments<d>& plane, const Stretch& along) {
+  Moments<d> result;
+  result.n = plane.n * along.n;
+  for (int i = 0, pair = 0; i < d; ++i) {
+    result.first[i] = i == axis ? plane.n * along.x : plane.first[i] * along.n;
+    for (int j = i; j < d; ++j, ++pair)
+      result.second[pair] = i != axis && j != axis ? plane.second[pair] * along.n
+                            : i != axis            ? plane.first[i] * along.x
+                            : j != axis            ? plane.first[j] * along.x
+                                                   : plane.n * along.xx;
+  }
+  return result;
 }
 
-/// Adds all points of a box.
-template <int d>
-void add_box(Counts<d>& sum, const LatticePoint<d>&, const LatticePoint<d>& extent) {
-  std::uint64_t volume = 1;
-  for (int k = 0; k < d; ++k) volume *= std::uint64_t(extent[k]);
-  sum.n += volume;
-}
-inline void add_box(Moments& sum, const LatticePoint<3>& first, const LatticePoint<3>& extent) {
-  const Stretch x(first[0], extent[0]), y(first[1], extent[1]), z(first[2], extent[2]);
-  add(sum, {x.n * y.n * z.n,
-            {x.x * y.n * z.n, x.n * y.x * z.n, x.n * y.n * z.x},
-            {x.xx * y.n * z.n, x.x * y.x * z.n, x.x * y.n * z.x, x.n * y.xx * z.n, x.n * y.x * z.x,
-             x.n * y.n * z.xx}});
+/// Adds all points of a box. Inlined by force: listing the sides of source bricks is full of it.
+template <class Sum, int d>
+[[gnu::always_inline]] inline void add_box(Sum& sum, const LatticePoint<d>& first,
+                                           const LatticePoint<d>& extent) {
+  Sum box;
+  box.n = 1;  // a point at the origin
+  box = extruded<0>(box, Stretch(first[0], extent[0]));
+  box = extruded<1>(box, Stretch(first[1], extent[1]));
+  if constexpr (d == 3) box = extruded<2>(box, Stretch(first[2], extent[2]));
+  add(sum, box);
 }
 
 /// The points mirrored, x -> -x.
 template <int d>
 void mirror_x(Counts<d>&) {}
-inline void mirror_x(Moments& sum) {
+template <int d>
+void mirror_x(Moments<d>& sum) {
   sum.first[0] = -sum.first[0];
-  sum.second[1] = -sum.second[1];
-  sum.second[2] = -sum.second[2];
+  for (int k = 1; k < d; ++k) sum.second[k] = -sum.second[k];
 }
 
 }  // namespace gridstep::bricks

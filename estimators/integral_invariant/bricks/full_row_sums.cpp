@@ -21,7 +21,9 @@ FullRowSums<d, Sum>::FullRowSums(const BallRows<d>& ball)
         LatticePoint<d> first = Brick<d>::origin(ball.rows()[row].brick) + Brick<d>::offset(other * kLength) -
                                 Brick<d>::offset(line * kLength);
         first[0] = begin;
-        if (begin < end) add_stretch(sum, first, end - begin);
+        LatticePoint<d> extent = LatticePoint<d>::Ones();
+        extent[0] = end - begin;
+        if (begin < end) add_box(sum, first, extent);
       }
     };
     Sum rows, sides;
@@ -77,6 +79,7 @@ auto FullRowSums<d, Sum>::surplus(const SourceLists<d, Sum>& lists) const -> Sur
 
 template class FullRowSums<2, Counts<2>>;
 template class FullRowSums<3, Counts<3>>;
-template class FullRowSums<3, Moments>;
+template class FullRowSums<2, Moments<2>>;
+template class FullRowSums<3, Moments<3>>;
 
 }  // namespace gridstep::bricks

@@ -29,8 +29,8 @@ class FullRowSums {
     Sum of(int bit) const {
       const int lead = bit % kLength;
       Sum sum = up_to_sides_;
-      subtract(sum, extruded(right_, Stretch(0, lead + 1)));
-      subtract(sum, extruded(left_, Stretch(lead + skew_, kLength - lead - skew_)));
+      subtract(sum, extruded<0>(right_, Stretch(0, lead + 1)));
+      subtract(sum, extruded<0>(left_, Stretch(lead + skew_, kLength - lead - skew_)));
       return sum;
     }
 

@@ -3,7 +3,6 @@
 #include <tbb/global_control.h>
 
 #include <cstdlib>
-#include <optional>
 
 #include "estimators/integral_invariant/bricks/targets.hpp"
 #include "estimators/integral_invariant/bricks/testing_cases.hpp"
@@ -32,8 +31,7 @@ std::size_t run(RandomStream& random, std::uint64_t sets) {
   const bool is_large = random.below(8) == 0;
   const RandomBall ball = random_ball<d>(random, d == 2 ? (is_large ? 150 : 40) : (is_large ? 24 : 8));
   const Evaluations<PlainSum<d, std::int64_t>, d> counts(ball);
-  std::optional<Evaluations<MomentSums<3, std::int64_t>, 3>> moments;
-  if constexpr (d == 3) moments.emplace(ball);
+  const Evaluations<MomentSums<d, std::int64_t>, d> moments(ball);
   std::size_t spels = 0;
   for (std::uint64_t i = 0; i < sets; ++i) {
     const RandomSet<d> set =
@@ -41,7 +39,7 @@ std::size_t run(RandomStream& random, std::uint64_t sets) {
     spels += set.spels.size();
     try {
       compare(counts, set);
-      if constexpr (d == 3) compare(*moments, set);
+      compare(moments, set);
     } catch (const std::runtime_error& error) {
       throw std::runtime_error(fmt::format("{}, set {} of a ball of R/h = {} with half axis {}", error.what(), i,
                                            ball.radius.value, ball.half_axis));

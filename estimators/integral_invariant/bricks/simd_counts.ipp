@@ -4,19 +4,11 @@ HWY_BEFORE_NAMESPACE();
 namespace gridstep::bricks::HWY_NAMESPACE {
 namespace {
 
-/// max(a - b, 0).
-HWY_INLINE Bytes beyond(Bytes a, Bytes b) {
-  return hn::SaturatedSub(a, b);
-}
-HWY_INLINE Words beyond(Words a, Words b) {
-  const hn::RebindToSigned<WordTag> tag;
-  return hn::BitCast(WordTag(), hn::Max(hn::Sub(hn::BitCast(tag, a), hn::BitCast(tag, b)), hn::Zero(tag)));
-}
 HWY_INLINE Words sums(Bytes v) {
   return hn::SumsOf8(v);
 }
-HWY_INLINE Words sums(Words v) {
-  return v;
+HWY_INLINE Words sums(Longs v) {
+  return hn::BitCast(WordTag(), v);
 }
 
 /// On one side.

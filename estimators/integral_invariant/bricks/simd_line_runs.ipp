@@ -5,9 +5,10 @@ HWY_BEFORE_NAMESPACE();
 namespace gridstep::bricks::HWY_NAMESPACE {
 namespace {
 
-/// Lines of 8 points are bytes, those of 64 are words; so are numbers of points along a row.
+/// Lines of 8 points are bytes, those of 64 are words; so are numbers of points along a row. Words are signed, as
+/// what AVX2 compares and multiplies.
 template <int d>
-using LineTag = std::conditional_t<d == 2, WordTag, ByteTag>;
+using LineTag = std::conditional_t<d == 2, LongTag, ByteTag>;
 template <int d>
 using LineVector = hn::VFromD<LineTag<d>>;
 template <int d>
@@ -91,16 +92,18 @@ class RowRuns {
     });
     if (!hn::AllTrue(tag, hn::Eq(end, hn::Zero(tag)))) push(part.row, begin, end);
   }
+  static HWY_INLINE LineVector<d> bit_count(LineVector<d> bits) {
+    return hn::BitCast(tag, hn::PopulationCount(hn::BitCast(hn::RebindToUnsigned<LineTag<d>>(), bits)));
+  }
   /// The brick that begins at x, mixed or full and followed by `more` points of full ones: the lowest run of each line
   /// goes on where begin and end leave off, or begins them. Returns the bits of all other runs.
   static HWY_INLINE LineVector<d> join(LineVector<d> bits, int x, int more, LineVector<d>& begin,
                                        LineVector<d>& end) {
     const auto zero = hn::Zero(tag);
     const auto lowest = hn::And(bits, hn::Sub(zero, bits)), above = hn::Add(bits, lowest);
-    const auto at = hn::Add(hn::PopulationCount(hn::Sub(lowest, hn::Set(tag, LineNumber<d>{1}))),
-                            hn::Set(tag, LineNumber<d>(x)));
-    const auto length =
-        hn::Add(hn::PopulationCount(hn::AndNot(above, bits)), hn::Set(tag, LineNumber<d>(more)));
+    const auto at =
+        hn::Add(bit_count(hn::Sub(lowest, hn::Set(tag, LineNumber<d>{1}))), hn::Set(tag, LineNumber<d>(x)));
+    const auto length = hn::Add(bit_count(hn::AndNot(above, bits)), hn::Set(tag, LineNumber<d>(more)));
     const auto any = hn::Ne(bits, zero), is_free = hn::Eq(end, zero);
     const auto fits = hn::And(any, hn::Or(is_free, hn::Eq(end, at)));
     begin = hn::IfThenElse(hn::And(fits, is_free), at, begin);

@@ -19,7 +19,8 @@
 #include "estimators/integral_invariant/bricks/simd_line_runs.ipp"
 //
 #include "estimators/integral_invariant/bricks/simd_counts.ipp"
-#include "estimators/integral_invariant/bricks/simd_moments.ipp"
+#include "estimators/integral_invariant/bricks/simd_moments_2d.ipp"
+#include "estimators/integral_invariant/bricks/simd_moments_3d.ipp"
 #endif
 
 #if HWY_ONCE
@@ -30,15 +31,16 @@ std::vector<Target> simd_targets() {
   [[maybe_unused]] const auto supported = hwy::SupportedTargets();
 #if HWY_TARGETS & HWY_AVX3_DL
   if (supported & HWY_AVX3_DL)
-    result.push_back({"avx512-dl", N_AVX3_DL::count_2d, N_AVX3_DL::count_3d, N_AVX3_DL::moments_3d});
+    result.push_back({"avx512-dl", N_AVX3_DL::count_2d, N_AVX3_DL::moments_2d, N_AVX3_DL::count_3d,
+                      N_AVX3_DL::moments_3d});
 #endif
 #if HWY_TARGETS & HWY_AVX3
   if (supported & HWY_AVX3)
-    result.push_back({"avx512", N_AVX3::count_2d, N_AVX3::count_3d, N_AVX3::moments_3d});
+    result.push_back({"avx512", N_AVX3::count_2d, N_AVX3::moments_2d, N_AVX3::count_3d, N_AVX3::moments_3d});
 #endif
 #if HWY_TARGETS & HWY_AVX2
   if (supported & HWY_AVX2)
-    result.push_back({"avx2", N_AVX2::count_2d, N_AVX2::count_3d, N_AVX2::moments_3d});
+    result.push_back({"avx2", N_AVX2::count_2d, N_AVX2::moments_2d, N_AVX2::count_3d, N_AVX2::moments_3d});
 #endif
   return result;
 }

@@ -112,6 +112,7 @@ void SourceLists<d, Sum>::build(const LatticePoint<d>& source) {
 
 template struct SourceLists<2, Counts<2>>;
 template struct SourceLists<3, Counts<3>>;
-template struct SourceLists<3, Moments>;
+template struct SourceLists<2, Moments<2>>;
+template struct SourceLists<3, Moments<3>>;
 
 }  // namespace gridstep::bricks

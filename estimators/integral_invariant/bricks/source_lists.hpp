@@ -65,6 +65,7 @@ struct SourceLists {
 
 extern template struct SourceLists<2, Counts<2>>;
 extern template struct SourceLists<3, Counts<3>>;
-extern template struct SourceLists<3, Moments>;
+extern template struct SourceLists<2, Moments<2>>;
+extern template struct SourceLists<3, Moments<3>>;
 
 }  // namespace gridstep::bricks

@@ -36,7 +36,8 @@ const Target*& chosen() {
 const std::vector<Target>& targets() {
   static const std::vector<Target> all = [] {
     std::vector<Target> result = simd_targets();
-    result.push_back({"plain", cut_plain<2, Counts<2>>, cut_plain<3, Counts<3>>, cut_plain<3, Moments>});
+    result.push_back({"plain", cut_plain<2, Counts<2>>, cut_plain<2, Moments<2>>, cut_plain<3, Counts<3>>,
+                      cut_plain<3, Moments<3>>});
     return result;
   }();
   return all;

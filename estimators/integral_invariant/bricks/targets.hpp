@@ -18,17 +18,16 @@ using CutSums = void (*)(const SourceLists<d, Sum>& lists, const BallRows<d>& ba
 struct Target {
   std::string name;
   CutSums<2, Counts<2>> count_2d;
+  CutSums<2, Moments<2>> moments_2d;
   CutSums<3, Counts<3>> count_3d;
-  CutSums<3, Moments> moments_3d;
+  CutSums<3, Moments<3>> moments_3d;
 
   template <int d, class Sum>
   CutSums<d, Sum> cut_sums() const {
-    if constexpr (d == 2)
-      return count_2d;
-    else if constexpr (std::is_same_v<Sum, Moments>)
-      return moments_3d;
-    else
-      return count_3d;
+    if constexpr (std::is_same_v<Sum, Counts<2>>) return count_2d;
+    if constexpr (std::is_same_v<Sum, Moments<2>>) return moments_2d;
+    if constexpr (std::is_same_v<Sum, Counts<3>>) return count_3d;
+    if constexpr (std::is_same_v<Sum, Moments<3>>) return moments_3d;
   }
 };
 

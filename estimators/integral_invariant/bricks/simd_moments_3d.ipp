@@ -6,10 +6,7 @@ namespace {
 
 using ShortTag = hn::Repartition<std::int16_t, ByteTag>;
 using Shorts = hn::VFromD<ShortTag>;  // a line each, those with even y or those with odd y
-using IntTag = hn::Repartition<std::int32_t, ByteTag>;
-using Ints = hn::VFromD<IntTag>;  // four lines each, of one z
-using SumTag = hn::Repartition<std::int64_t, ByteTag>;
-using SliceSums = hn::VFromD<SumTag>;  // eight lines each: a slice, z fixed
+// Ints have four lines each, of one z; Longs have eight: a slice, z fixed.
 
 /// The sums of products of neighbours, of bytes and of signed weights.
 HWY_INLINE Shorts pairs(Bytes bytes, Bytes weights) {
@@ -33,12 +30,8 @@ HWY_INLINE Ints add_pairs(Ints sum, Shorts a, Shorts b) {
 HWY_INLINE Ints pairs(Shorts a, Shorts b) {
   return add_pairs(hn::Zero(IntTag()), a, b);
 }
-HWY_INLINE SliceSums slices(Ints v) {
-  return hn::Add(hn::MulEven(v, hn::Set(IntTag(), 1)), hn::ShiftRight<32>(hn::BitCast(SumTag(), v)));
-}
-/// Of numbers that fit 32 bits.
-HWY_INLINE SliceSums times(SliceSums a, SliceSums b) {
-  return hn::MulEven(hn::BitCast(IntTag(), a), hn::BitCast(IntTag(), b));
+HWY_INLINE Longs slices(Ints v) {
+  return hn::Add(hn::MulEven(v, hn::Set(IntTag(), 1)), hn::ShiftRight<32>(hn::BitCast(LongTag(), v)));
 }
 
 /// The sum of the pairs that a vector is made of.
@@ -75,7 +68,7 @@ struct RowWeights {
   }
 };
 HWY_INLINE Shorts all(const RowWeights::Pairs& four) {
-  return hn::BitCast(ShortTag(), hn::Set(SumTag(), std::bit_cast<std::int64_t>(four)));
+  return hn::BitCast(ShortTag(), hn::Set(LongTag(), std::bit_cast<std::int64_t>(four)));
 }
 HWY_INLINE Shorts all(const RowWeights::Same& two) {
   return hn::BitCast(ShortTag(), hn::Set(IntTag(), std::bit_cast<std::int32_t>(two)));
@@ -138,7 +131,7 @@ class Accumulator {
     Znc_ = add_pairs(Znc_, both_nc, Z);
     ncc_ = add_pairs(add_pairs(ncc_, even_nc, c.even), odd_nc, c.odd);
   }
-  HWY_INLINE Moments sums() {
+  HWY_INLINE Moments<3> sums() {
     spill();
     const auto& [n, nc, y, z, cubes, ync, znc, yy, yz, zz] = totals_;
     const auto number = [](std::int64_t v) { return std::uint64_t(v); };
@@ -154,8 +147,9 @@ class Accumulator {
     y_ = yy_ = Zn_ = ZZn_ = Zy_ = odd_Yn_ = odd_Zn_ = nc_ = odd_nc_ = ync_ = Znc_ = ncc_ = nnn_ = hn::Zero(IntTag());
     rows_ = 0;
   }
-  HWY_INLINE void add_to_totals(std::size_t i, SliceSums a, SliceSums b) {
-    const auto both = sum_of_pairs(hn::Add(hn::InterleaveLower(SumTag(), a, b), hn::InterleaveUpper(SumTag(), a, b)));
+  HWY_INLINE void add_to_totals(std::size_t i, Longs a, Longs b) {
+    const auto both =
+        sum_of_pairs(hn::Add(hn::InterleaveLower(LongTag(), a, b), hn::InterleaveUpper(LongTag(), a, b)));
     const hn::DFromV<decltype(both)> tag;
     hn::Store(hn::Add(hn::Load(tag, &totals_[i]), both), tag, &totals_[i]);
   }
@@ -164,9 +158,10 @@ class Accumulator {
   HWY_INLINE void spill() {
     static constexpr RowWeights::Pairs k4k{0, 4, 16, 36}, k4k1{1, 5, 9, 13};
     const Shorts one = all(1);
-    const SliceSums z = hn::Iota(SumTag(), z0_);
-    const SliceSums n = slices(pairs(n_, one)), odd_n = slices(pairs(odd_n_, one)), y = hn::Add(slices(y_), odd_n),
-                    Zn = hn::ShiftLeft<3>(slices(Zn_)), zn = times(n, z), nc = slices(nc_), ncc = slices(ncc_);
+    const Longs z = hn::Iota(LongTag(), z0_);
+    const Longs n = slices(pairs(n_, one)), odd_n = slices(pairs(odd_n_, one)),
+                y = hn::Add(slices(y_), odd_n), Zn = hn::ShiftLeft<3>(slices(Zn_)), zn = times(n, z),
+                nc = slices(nc_), ncc = slices(ncc_);
     add_to_totals(0, n, nc);
     add_to_totals(2, y, hn::Add(Zn, zn));
     add_to_totals(4, hn::Add(hn::Add(ncc, hn::Add(ncc, ncc)), slices(nnn_)), hn::Add(slices(ync_), slices(odd_nc_)));
@@ -233,9 +228,9 @@ HWY_INLINE void add_side(Accumulator& sums, const RowRuns<3>& side, std::span<co
   for (std::size_t k = 0; k < side.size(); sums.make_room())
     for (const std::size_t stop = sums.stop(k, side.size()); k < stop; ++k) {
       const std::uint32_t row = side.row(k);
-      const EvenOdd n = split(
-          hn::Min(hn::SaturatedSub(hn::SaturatedSub(balls.width(row), hn::Load(tag, side[k].begin.data())), to),
-                  hn::Load(tag, side[k].end_or_length.data())));
+      const EvenOdd n =
+          split(hn::Min(beyond(beyond(balls.width(row), hn::Load(tag, side[k].begin.data())), to),
+                        hn::Load(tag, side[k].end_or_length.data())));
       const Shorts even = hn::Load(short_tag, fixed[k].even.data()), odd = hn::Load(short_tag, fixed[k].odd.data());
       if constexpr (mirrored)
         sums.add(n, {hn::Sub(even, n.even), hn::Sub(odd, n.odd)}, weights[row]);
@@ -244,7 +239,8 @@ HWY_INLINE void add_side(Accumulator& sums, const RowRuns<3>& side, std::span<co
     }
 }
 
-HWY_INLINE Moments moments_of_spel(const CutMoments& cut, const BallRows<3>& ball, std::uint16_t bit, std::size_t at) {
+HWY_INLINE Moments<3> moments_of_spel(const CutMoments& cut, const BallRows<3>& ball, std::uint16_t bit,
+                                      std::size_t at) {
   static_assert(RowRuns<3>::kMiddleOrigin == 128);
   const ByteTag tag;
   const LineBalls<3, 1> balls(ball, &bit, at);
@@ -257,7 +253,7 @@ HWY_INLINE Moments moments_of_spel(const CutMoments& cut, const BallRows<3>& bal
       const Bytes width = balls.width(row);
       const Bytes from = hn::Max(hn::Load(tag, own.begin.data()), hn::Sub(balls.left_end[0], width)),
                   to = hn::Min(hn::Load(tag, own.end_or_length.data()), hn::Add(width, balls.right_end[0]));
-      const EvenOdd n = split(hn::SaturatedSub(to, from));
+      const EvenOdd n = split(beyond(to, from));
       const Bytes x = hn::Xor(from, all_bytes(128, 128));  // signed
       sums.add(n, {hn::Add(pairs(all_bytes(2, 0), x), n.even), hn::Add(pairs(all_bytes(0, 2), x), n.odd)}, weights[row]);
     }
@@ -266,12 +262,12 @@ HWY_INLINE Moments moments_of_spel(const CutMoments& cut, const BallRows<3>& bal
   return sums.sums();
 }
 
-void moments_3d(const SourceLists<3, Moments>& lists, const BallRows<3>& ball,
-                std::span<const std::uint16_t> bits, Moments* sums) {
+void moments_3d(const SourceLists<3, Moments<3>>& lists, const BallRows<3>& ball,
+                std::span<const std::uint16_t> bits, Moments<3>* sums) {
   thread_local CutMoments cut;
   cut.weights.clear();
   for (const auto& row : ball.rows()) cut.weights.emplace_back(row);
-  std::fill(sums, sums + bits.size(), Moments{});
+  std::fill(sums, sums + bits.size(), Moments<3>{});
   for (std::size_t at = 0; at < 64; at += hn::Lanes(ByteTag())) {
     cut.runs.list(lists, ball, at);
     list_fixed_ends<false>(cut.runs.right, cut.weights, cut.right);
