@@ -23,10 +23,9 @@ class ConvexPolytope final : public Shape<d> {
   RealBox<d> local_bounds() const override { return bounds_; }
 
   QuadraticBound<d> local_bound(const RealBox<d>& box) const override {
-    QuadraticBound<d> bound = QuadraticBound<d>::constant(Side::inside);
-    for (const Face& face : faces_)
-      bound = intersection(bound, half_space_bound<d>(face.normal, face.offset, box), box);
-    return bound;
+    BoundOfIntersection<d> bound(box);
+    for (const Face& face : faces_) bound.add_half_space(face.normal, face.offset);
+    return bound.bound();
   }
 
   std::uint64_t local_inside(std::span<const RealPoint<d>> points) const override {

@@ -20,10 +20,10 @@ class Cylinder final : public Shape<3> {
   }
   QuadraticBound<3> local_bound(const RealBox<3>& box) const override {
     const auto [x, y, z] = TaylorModel<3>::variables(box);
-    QuadraticBound<3> bound = bound_of(square(x) + square(y) - TaylorModel<3>(radius_ * radius_), box);
-    for (const double sign : {-1.0, 1.0})
-      bound = intersection(bound, half_space_bound<3>(sign * RealPoint<3>::UnitZ(), half_height_, box), box);
-    return bound;
+    BoundOfIntersection<3> bound(box);
+    bound.add(bound_of(square(x) + square(y) - TaylorModel<3>(radius_ * radius_), box));
+    for (const double sign : {-1.0, 1.0}) bound.add_half_space(sign * RealPoint<3>::UnitZ(), half_height_);
+    return bound.bound();
   }
   std::uint64_t local_inside(std::span<const RealPoint<3>> points) const override {
     std::uint64_t result = 0;

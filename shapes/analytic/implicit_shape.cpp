@@ -82,12 +82,13 @@ QuadraticBound<d> ImplicitShape<d>::local_bound(const RealBox<d>& box) const {
     if (side != Side::crossing) bound = QuadraticBound<d>::constant(side);
   }
   if (!cut_ || box_.contains(box)) return bound;
-  for (int k = 0; k < d; ++k)
-    for (const double sign : {-1.0, 1.0}) {
-      const double offset = sign < 0 ? -box_.min()[k] : box_.max()[k];
-      bound = intersection(bound, half_space_bound<d>(sign * RealPoint<d>::Unit(k), offset, box), box);
-    }
-  return bound;
+  BoundOfIntersection<d> intersection(box);
+  intersection.add(bound);
+  for (int k = 0; k < d; ++k) {
+    intersection.add_half_space(RealPoint<d>::Unit(k), box_.max()[k]);
+    intersection.add_half_space(-RealPoint<d>::Unit(k), -box_.min()[k]);
+  }
+  return intersection.bound();
 }
 
 /// Holds every value that is computed in the box, without slack: doubles and intervals are rounded alike.

@@ -137,26 +137,41 @@ class BoundOfParts {
   Parts lowest_, highest_, steepest_ = Parts::Zero();
 };
 
-/// Over a box, the bound of the intersection of two regions: undecided where both may cut the box.
+/// The bound over a box of the intersection of regions: undecided where several of them may cut the box.
 template <int d>
-QuadraticBound<d> intersection(const QuadraticBound<d>& a, const QuadraticBound<d>& b,
-                               const RealBox<d>& box) {
-  const Side of_a = a.side(box), of_b = b.side(box);
-  if (of_a == Side::outside || of_b == Side::inside) return a;
-  if (of_b == Side::outside || of_a == Side::inside) return b;
-  return QuadraticBound<d>::constant(Side::crossing);
-}
+class BoundOfIntersection {
+ public:
+  explicit BoundOfIntersection(const RealBox<d>& box) : box_(box) {}
 
-/// The bound of the half-space normal . p <= offset, its left side summed in the order of the coordinates.
-template <int d>
-QuadraticBound<d> half_space_bound(const RealPoint<d>& normal, double offset, const RealBox<d>& box) {
-  QuadraticBound<d> bound;
-  bound.centre = box.center();
-  bound.value = normal.dot(bound.centre) - offset;
-  bound.slope = normal;
-  const RealPoint<d> far = box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs());
-  bound.error = 1e-14 * (normal.cwiseAbs().dot(far) + std::abs(offset));
-  return bound;
-}
+  /// Another region, by its bound.
+  void add(const QuadraticBound<d>& bound) {
+    if (side_ == Side::outside) return;
+    const Side side = bound.side(box_);
+    if (side == Side::inside) return;
+    bound_ =
+        side == Side::outside || side_ == Side::inside ? bound : QuadraticBound<d>::constant(Side::crossing);
+    side_ = side;
+  }
+  /// The half-space normal . p <= offset, its left side summed in the order of the coordinates.
+  void add_half_space(const RealPoint<d>& normal, double offset) {
+    const RealPoint<d> centre = box_.center(), far = box_.min().cwiseAbs().cwiseMax(box_.max().cwiseAbs());
+    const double value = normal.dot(centre) - offset,
+                 rounding = 1e-14 * (normal.cwiseAbs().dot(far) + std::abs(offset));
+    if (value + normal.cwiseAbs().dot(box_.sizes() / 2) < -10 * rounding) return;  // as most are
+    QuadraticBound<d> bound;
+    bound.centre = centre;
+    bound.value = value;
+    bound.slope = normal;
+    bound.error = rounding;
+    add(bound);
+  }
+
+  const QuadraticBound<d>& bound() const { return bound_; }
+
+ private:
+  RealBox<d> box_;
+  QuadraticBound<d> bound_ = QuadraticBound<d>::constant(Side::inside);
+  Side side_ = Side::inside;  // of bound_
+};
 
 }  // namespace gridstep
