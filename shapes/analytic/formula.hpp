@@ -58,25 +58,28 @@ class Formula {
     return r.back();
   }
 
+  enum class Kind { constant, variable, sum, difference, product, scaled, square };
+  struct Operation {
+    Kind kind;
+    int left = 0, right = 0;  ///< registers, or the number of the variable
+    double number = 0;
+    friend bool operator==(const Operation&, const Operation&) = default;
+  };
+  /// What to carry out, one after the other: operation i writes register i; the last one is the value.
+  std::span<const Operation> operations() const { return operations_; }
+
   /// A bound on the sum of the absolute values of all terms where |variables[k]| <= magnitudes[k]: rounding
   /// errors are relative to it.
   double magnitude(std::span<const double> magnitudes) const;
 
  private:
-  enum class Kind { constant, variable, sum, difference, product, scaled, square };
-  struct Operation {
-    Kind kind;
-    int left = 0, right = 0;  // registers, or the number of the variable
-    double number = 0;
-    friend bool operator==(const Operation&, const Operation&) = default;
-  };
   class Parser;
 
   /// Drops what the value in a register does not need, so that this is the last one.
   void keep_operands_of(int value);
 
   std::string text_;
-  std::vector<Operation> operations_;  // operation i writes register i; the last one is the value
+  std::vector<Operation> operations_;
   int variables_ = 0, degree_ = 0;
 };
 

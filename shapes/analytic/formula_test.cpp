@@ -1,12 +1,16 @@
 #include "shapes/analytic/formula.hpp"
 
 #include <gtest/gtest.h>
+#include <hwy/targets.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
+#include <vector>
 
 #include "shapes/analytic/catalogue.hpp"
 #include "shapes/analytic/implicit_shape.hpp"
+#include "shapes/analytic/simd_formula.hpp"
 #include "shapes/base/contracts.hpp"
 #include "shapes/base/random.hpp"
 #include "shapes/base/taylor_model.hpp"
@@ -236,6 +240,55 @@ TEST(FormulaProperties, TaylorModelsAndTheirBoundsHoldEveryComputedValue) {
   }
   EXPECT_LT(tightest, 0.01) << "errors are never reached: far too large";
   EXPECT_LT(tightest_bound, 0.01) << "errors are never reached: far too large";
+}
+
+/// On every instruction set that was compiled and that this processor has.
+template <int d>
+void expect_many_places_as_each() {
+  RandomStream random{6};
+  for (int trial = 0; trial < 500; ++trial) {
+    std::string text = random_formula(random, 1 + trial % 4);
+    if (d == 2) std::replace(text.begin(), text.end(), 'z', 'y');
+    const Formula formula(text);
+    const RealPoint<d> corner = random_point(random).template head<d>();
+    const double width = 3 * std::exp2(-52 * random.uniform());
+    const auto place = [&] {
+      RealPoint<d> p = corner;
+      for (int k = 0; k < d; ++k) p[k] += width * random.uniform();
+      return p;
+    };
+    std::vector<RealPoint<d>> points;
+    std::uint64_t at_most_zero_each = 0;
+    for (std::size_t i = 0, count = random.below(65); i < count; ++i) {
+      points.push_back(place());
+      const double value = formula(std::span<const double>(points[i].data(), d));
+      at_most_zero_each |= std::uint64_t(value <= 0) << i;
+    }
+    std::vector<RealBox<d>> boxes;
+    for (std::size_t i = 0, count = random.below(12); i < count; ++i) {
+      const RealPoint<d> p = place(), q = place();
+      boxes.emplace_back(p.cwiseMin(q), p.cwiseMax(q));
+    }
+    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+      hwy::GetChosenTarget().Update(target);
+      EXPECT_EQ(at_most_zero<d>(formula, points), at_most_zero_each) << text;
+      std::vector<TaylorModel<d>> models(boxes.size());
+      models_over<d>(formula, boxes, models);
+      for (std::size_t i = 0; i < boxes.size(); ++i) {
+        const auto variables = TaylorModel<d>::variables(boxes[i]);
+        const TaylorModel<d> model = formula(std::span<const TaylorModel<d>>(variables));
+        EXPECT_TRUE((models[i].terms == model.terms).all()) << text;
+        EXPECT_EQ(models[i].error, model.error) << text;
+        EXPECT_EQ(models[i].magnitude, model.magnitude) << text;
+      }
+    }
+    hwy::GetChosenTarget().DeInit();
+  }
+}
+
+TEST(FormulaProperties, ManyPlacesAtOnceHaveTheValuesAndModelsOfEach) {
+  expect_many_places_as_each<2>();
+  expect_many_places_as_each<3>();
 }
 
 TEST(FormulaProperties, TheErrorOfATaylorModelAndItsBoundShrinksWithTheCubeOfTheBox) {

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <vector>
 
-#include "shapes/base/taylor_model.hpp"
+#include "shapes/analytic/simd_formula.hpp"
 
 namespace gridstep {
 
@@ -55,29 +55,34 @@ Jet ImplicitShape<d>::jet(const RealPoint<d>& p) const {
 
 template <int d>
 std::uint64_t ImplicitShape<d>::local_inside(std::span<const RealPoint<d>> points) const {
-  using Lanes = Eigen::Array<double, 8, 1>;
-  std::uint64_t result = 0;
-  for (std::size_t first = 0; first < points.size(); first += 8) {
-    const std::size_t count = std::min<std::size_t>(8, points.size() - first);
-    std::array<Lanes, d> variables;
-    for (std::size_t i = 0; i < 8; ++i)
-      for (int k = 0; k < d; ++k) variables[k][Eigen::Index(i)] = points[first + std::min(i, count - 1)][k];
-    const Lanes f = formula_(std::span<const Lanes>(variables));
-    for (std::size_t i = 0; i < count; ++i)
-      result |= std::uint64_t(f[Eigen::Index(i)] <= 0 && (!cut_ || box_.contains(points[first + i])))
-                << (first + i);
-  }
+  std::uint64_t result = at_most_zero(formula_, points);
+  if (cut_)
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (!box_.contains(points[i])) result &= ~(std::uint64_t{1} << i);
   return result;
 }
 
 template <int d>
 QuadraticBound<d> ImplicitShape<d>::local_bound(const RealBox<d>& box) const {
-  const std::array<TaylorModel<d>, d> variables = TaylorModel<d>::variables(box);
-  const TaylorModel<d> model = formula_(std::span<const TaylorModel<d>>(variables));
+  QuadraticBound<d> bound;
+  local_bound_each({&box, 1}, {&bound, 1});
+  return bound;
+}
+
+template <int d>
+void ImplicitShape<d>::local_bound_each(std::span<const RealBox<d>> boxes,
+                                        std::span<QuadraticBound<d>> bounds) const {
+  std::array<TaylorModel<d>, Region<d>::kMostBoxes> models;
+  models_over(formula_, boxes, std::span(models).first(boxes.size()));
+  for (std::size_t i = 0; i < boxes.size(); ++i) bounds[i] = bound_by(models[i], boxes[i]);
+}
+
+template <int d>
+QuadraticBound<d> ImplicitShape<d>::bound_by(const TaylorModel<d>& model, const RealBox<d>& box) const {
   QuadraticBound<d> bound = bound_of(model, box);
   // Over large boxes the range of a sum of squares may decide what its Taylor expansion cannot.
   constexpr double kVague = 0.1;
-  if (!(model.error <= kVague * model.slope().abs().sum())) {  // nor may it, where numbers overflow
+  if (!(model.error <= kVague * model.sloping())) {  // nor may it, where numbers overflow
     const Side side = side_of(natural_range(box));
     if (side != Side::crossing) bound = QuadraticBound<d>::constant(side);
   }

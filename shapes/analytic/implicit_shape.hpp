@@ -3,6 +3,7 @@
 #include "shapes/analytic/formula.hpp"
 #include "shapes/analytic/jet.hpp"
 #include "shapes/analytic/shape.hpp"
+#include "shapes/base/taylor_model.hpp"
 
 namespace gridstep {
 
@@ -27,6 +28,8 @@ class ImplicitShape final : public Shape<d> {
  protected:
   RealBox<d> local_bounds() const override { return box_; }
   QuadraticBound<d> local_bound(const RealBox<d>& box) const override;
+  void local_bound_each(std::span<const RealBox<d>> boxes,
+                        std::span<QuadraticBound<d>> bounds) const override;
   std::uint64_t local_inside(std::span<const RealPoint<d>> points) const override;
   std::optional<BoundaryPoint<d>> local_project(const RealPoint<d>& query, double within) const override;
 
@@ -36,6 +39,7 @@ class ImplicitShape final : public Shape<d> {
     Jet2<d> f;  // there
     bool singular;
   };
+  QuadraticBound<d> bound_by(const TaylorModel<d>& model, const RealBox<d>& box) const;
   Interval natural_range(const RealBox<d>& box) const;
   Side side_of_polynomial(const RealBox<d>& box) const;
   double value(const RealPoint<d>& p) const;

@@ -41,11 +41,18 @@ class Shape : public Region<d> {
     const RealBox<d> box = local_bounds();
     return {box.min() + centre_, box.max() + centre_};
   }
-  QuadraticBound<d> bound(const RealBox<d>& box) const final {
-    QuadraticBound<d> bound = local_bound({box.min() - centre_, box.max() - centre_});
-    bound.centre += centre_;
-    bound.error += bound.rounding(greatest_coordinate(box) + centre_.template lpNorm<Eigen::Infinity>());
-    return bound;
+  void bound_each(std::span<const RealBox<d>> boxes, std::span<QuadraticBound<d>> bounds) const final {
+    expects(boxes.size() <= Region<d>::kMostBoxes, "at most 8 boxes");
+    std::array<RealBox<d>, Region<d>::kMostBoxes> local;
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+      local[i] = {boxes[i].min() - centre_, boxes[i].max() - centre_};
+    local_bound_each({local.data(), boxes.size()}, bounds);
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      QuadraticBound<d>& bound = bounds[i];
+      bound.centre += centre_;
+      bound.error +=
+          bound.rounding(greatest_coordinate(boxes[i]) + centre_.template lpNorm<Eigen::Infinity>());
+    }
   }
   std::uint64_t inside(std::span<const RealPoint<d>> points) const final {
     expects(points.size() <= 64, "at most 64 points");
@@ -71,6 +78,11 @@ class Shape : public Region<d> {
  protected:
   virtual RealBox<d> local_bounds() const = 0;
   virtual QuadraticBound<d> local_bound(const RealBox<d>& box) const = 0;
+  /// For shapes that find the bounds of several boxes faster than one by one.
+  virtual void local_bound_each(std::span<const RealBox<d>> boxes,
+                                std::span<QuadraticBound<d>> bounds) const {
+    for (std::size_t i = 0; i < boxes.size(); ++i) bounds[i] = local_bound(boxes[i]);
+  }
   virtual std::uint64_t local_inside(std::span<const RealPoint<d>> points) const = 0;
   /// `within` is where to search; project() checks the outcome, so an implementation need not.
   virtual std::optional<BoundaryPoint<d>> local_project(const RealPoint<d>& query, double within) const = 0;

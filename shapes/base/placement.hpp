@@ -69,20 +69,26 @@ class PlacedRegion final : public Region<d> {
     if (!rotated_) return {box.min() + shift_, box.max() + shift_};
     return turned(box, rotation_, RealPoint<d>::Zero(), shift_);
   }
-  /// The function is turned with the region, so that a rotation costs no tightness to second order.
-  QuadraticBound<d> bound(const RealBox<d>& box) const override {
-    QuadraticBound<d> bound;
-    if (rotated_) {
-      bound = region_.bound(turned(box, rotation_.transpose(), shift_, RealPoint<d>::Zero()));
-      bound.centre = rotation_ * bound.centre;
-      bound.slope = rotation_ * bound.slope;
-      bound.bend = rotation_ * bound.bend * rotation_.transpose();
-    } else {
-      bound = region_.bound({box.min() - shift_, box.max() - shift_});
+  /// The functions are turned with the region, so that a rotation costs no tightness to second order.
+  void bound_each(std::span<const RealBox<d>> boxes, std::span<QuadraticBound<d>> bounds) const override {
+    std::array<RealBox<d>, Region<d>::kMostBoxes> moved;
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      if (rotated_)
+        moved[i] = turned(boxes[i], rotation_.transpose(), shift_, RealPoint<d>::Zero());
+      else
+        moved[i] = {boxes[i].min() - shift_, boxes[i].max() - shift_};
     }
-    bound.centre += shift_;
-    bound.error += bound.rounding(greatest_coordinate(box) + shift_.norm());
-    return bound;
+    region_.bound_each({moved.data(), boxes.size()}, bounds);
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      QuadraticBound<d>& bound = bounds[i];
+      if (rotated_) {
+        bound.centre = rotation_ * bound.centre;
+        bound.slope = rotation_ * bound.slope;
+        bound.bend = rotation_ * bound.bend * rotation_.transpose();
+      }
+      bound.centre += shift_;
+      bound.error += bound.rounding(greatest_coordinate(boxes[i]) + shift_.norm());
+    }
   }
   /// At Placement::to_shape() of the points, bit for bit.
   std::uint64_t inside(std::span<const RealPoint<d>> points) const override {

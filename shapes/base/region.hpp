@@ -18,9 +18,17 @@ class Region {
   /// A box that contains the region.
   virtual RealBox<d> bounds() const = 0;
 
-  /// What is known of inside() over a box. Digitization calls for O(h^-(d-1)) points and boxes where the
+  /// What is known of inside() over each of some boxes. Digitization calls for O(h^-(d-1)) points and boxes where the
   /// error shrinks at least with the square of the box; small enough boxes may stay undecided.
-  virtual QuadraticBound<d> bound(const RealBox<d>& box) const = 0;
+  /// @param boxes at most kMostBoxes
+  virtual void bound_each(std::span<const RealBox<d>> boxes, std::span<QuadraticBound<d>> bounds) const = 0;
+  static constexpr std::size_t kMostBoxes = 8;
+
+  QuadraticBound<d> bound(const RealBox<d>& box) const {
+    QuadraticBound<d> result;
+    bound_each({&box, 1}, {&result, 1});
+    return result;
+  }
 
   /// Conservative: `inside` (`outside`) only where inside() is true (false) at every double point of the box.
   Side side(const RealBox<d>& box) const { return bound(box).side(box); }

@@ -31,6 +31,8 @@ struct TaylorModel {
   double value() const { return terms[0]; }
   auto slope() const { return terms.template segment<d>(1); }
   auto bend() const { return terms.template tail<kPairs>(); }
+  /// The sum of the absolute values of the slopes: half the range of the affine part.
+  double sloping() const { return sum_of(1, 1 + d); }
 
   // An operation rounds its result in doubles, and each number of its model, by a few units of 1.1e-16.
   static constexpr double kRounding = 1e-14, kUnderflow = 1e-300;
@@ -68,10 +70,9 @@ struct TaylorModel {
       for (int k = j; k <= d; ++k, ++pair)
         c.terms[pair] = a.value() * b.terms[pair] + b.value() * a.terms[pair] + a.terms[j] * b.terms[k] +
                         (j == k ? 0 : a.terms[k] * b.terms[j]);
-    const double bend_a = a.bend().abs().sum(), bend_b = b.bend().abs().sum();
-    c.set_error(a.slope().abs().sum() * bend_b + bend_a * (b.slope().abs().sum() + bend_b) +
-                a.error * b.magnitude + b.error * a.magnitude + kRounding * a.magnitude * b.magnitude +
-                kUnderflow);
+    const double bend_a = a.bending(), bend_b = b.bending();
+    c.set_error(a.sloping() * bend_b + bend_a * (b.sloping() + bend_b) + a.error * b.magnitude +
+                b.error * a.magnitude + kRounding * a.magnitude * b.magnitude + kUnderflow);
     return c;
   }
   friend TaylorModel scaled(const TaylorModel& a, double factor) {
@@ -85,8 +86,8 @@ struct TaylorModel {
     for (int j = 1, pair = 1 + d; j <= d; ++j)
       for (int k = j; k <= d; ++k, ++pair)
         c.terms[pair] = twice * a.terms[pair] + (j == k ? 1 : 2) * a.terms[j] * a.terms[k];
-    const double bend = a.bend().abs().sum();
-    c.set_error(bend * (2 * a.slope().abs().sum() + bend) + 2 * a.error * a.magnitude +
+    const double bend = a.bending();
+    c.set_error(bend * (2 * a.sloping() + bend) + 2 * a.error * a.magnitude +
                 kRounding * a.magnitude * a.magnitude + kUnderflow);
     return c;
   }
@@ -98,7 +99,14 @@ struct TaylorModel {
   }
   void set_error(double e) {
     error = e;
-    magnitude = terms.abs().sum() + e;
+    magnitude = sum_of(0, terms.size()) + e;
+  }
+  double bending() const { return sum_of(1 + d, terms.size()); }
+  /// Of the absolute values of some terms, one after the other.
+  double sum_of(Eigen::Index begin, Eigen::Index end) const {
+    double result = std::abs(terms[begin]);
+    for (Eigen::Index i = begin + 1; i < end; ++i) result += std::abs(terms[i]);
+    return result;
   }
 };
 

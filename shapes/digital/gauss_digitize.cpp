@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 #include <vector>
 
 #include "shapes/base/parallel.hpp"
@@ -80,6 +82,17 @@ class Digitizer {
  public:
   Digitizer(const Region<d>& region, GridStep h) : region_(region), h_(h.value) {}
 
+  using Bounds = std::array<QuadraticBound<d>, Region<d>::kMostBoxes>;
+
+  /// At most kMostBoxes at once.
+  Bounds bound_each(std::span<const LatticeBox<d>> blocks) {
+    std::array<RealBox<d>, Region<d>::kMostBoxes> boxes;
+    for (std::size_t i = 0; i < blocks.size(); ++i) boxes[i] = real(blocks[i]);
+    Bounds bounds;
+    region_.bound_each({boxes.data(), blocks.size()}, {bounds.data(), blocks.size()});
+    work.boxes += std::int64_t(blocks.size());
+    return bounds;
+  }
   QuadraticBound<d> bound(const LatticeBox<d>& points) {
     ++work.boxes;
     return region_.bound(real(points));
@@ -92,7 +105,8 @@ class Digitizer {
   void digitize(const LatticePoint<d>& page, Page<d>& result) {
     result.states.assign(DigitalSet<d>::kBricksInPage, DigitalSet<d>::kEmpty);
     result.bricks.clear();
-    split_bricks({page * DigitalSet<d>::kPageSide, DigitalSet<d>::kPageSide}, {}, false, result);
+    const Cube whole{page * DigitalSet<d>::kPageSide, DigitalSet<d>::kPageSide};
+    split_bricks(whole, bound(whole.points()), result);
     sample(result.bricks);
     keep_cut_bricks(result);
     result.work = work;
@@ -101,8 +115,10 @@ class Digitizer {
   DigitizationWork work;
 
  private:
+  static constexpr int kParts = 1 << d;
   static constexpr double kSharp = 0.1;  // cells
-  static constexpr int kMostOpen = 40;   // points, in a block that is not split further
+  /// Points, in a brick that is not cut up: of the shapes in 2D a point costs more, and of their bricks less is crossed.
+  static constexpr int kMostOpen = d == 2 ? 40 : 120;
   /// Points that Region::inside() takes at once.
   static constexpr std::size_t kBatch = 64;
 
@@ -116,35 +132,59 @@ class Digitizer {
       return {Brick<d>::origin(first), Brick<d>::origin(behind).array() - 1};
     }
     Cube part(int number) const {
-      Cube result{first, side_length / 2};
-      for (int k = 0; k < d; ++k) result.first[k] += ((number >> k) & 1) * result.side_length;
-      return result;
+      // Written as a whole: what is written by its coordinates and then read as a whole stalls the processor.
+      static const auto kCorners = [] {
+        std::array<LatticePoint<d>, kParts> corners;
+        for (int i = 0; i < kParts; ++i)
+          for (int k = 0; k < d; ++k) corners[std::size_t(i)][k] = (i >> k) & 1;
+        return corners;
+      }();
+      return {first + side_length / 2 * kCorners[std::size_t(number)], side_length / 2};
     }
   };
 
   /// Splits a cube that the boundary may cross until its parts are decided or single bricks.
-  /// @param of_whole the bound of a cube that this one is part of; enough for this one where it is sharp
-  void split_bricks(const Cube& cube, const QuadraticBound<d>& of_whole, bool is_sharp, Page<d>& page) {
+  /// @param bound that of the cube, or of a larger one where it is sharp
+  void split_bricks(const Cube& cube, const QuadraticBound<d>& bound, Page<d>& page) {
     const LatticeBox<d> points = cube.points();
-    const QuadraticBound<d> bound = is_sharp ? of_whole : this->bound(points);
     if (cube.side_length == 1) {
-      Decided<d> decided;
-      refine(points, bound, decided);
+      const Decided<d> decided = decide_brick(points, bound);
       state_of(cube.first, page) = std::int32_t(page.bricks.size());
       page.bricks.push_back(decided.inside);
       for_each_bit(decided.open, [&](int bit) {
-        open_points_.push_back(h_ * (points.lo + Brick<d>::offset(bit)).template cast<double>());
-        open_bits_.push_back({page.bricks.size() - 1, bit});
+        open_points_[open_] = h_ * (points.lo + Brick<d>::offset(bit)).template cast<double>();
+        open_bits_[open_] = {page.bricks.size() - 1, bit};
+        if (++open_ == kBatch) sample(page.bricks);
       });
       return;
     }
-    // The bound of the whole decides most parts that the boundary does not cross.
+    // The bound of the whole decides most parts that the boundary does not cross, and serves others where it is sharp.
     const RealPoint<d> offset = h_ / 4 * points.extent().template cast<double>();
     const BoundOfParts<d> of_parts(bound, real(points).center(), offset, offset.array() - h_ / 2);
-    for (int number = 0; number < (1 << d); ++number) {
+    const auto is_vague = [&](int number) {
+      return of_parts.side(number) == Side::crossing && !sharp(bound.error, of_parts.slope(number));
+    };
+    std::array<LatticeBox<d>, kParts> vague;
+    std::size_t size = 0;
+    for (int number = 0; number < kParts; ++number)
+      if (is_vague(number)) vague[size++] = cube.part(number).points();
+    if (size == 0) {
+      split_parts(cube, of_parts, page, [&](int) -> const QuadraticBound<d>& { return bound; });
+      return;
+    }
+    const Bounds own = bound_each({vague.data(), size});
+    std::size_t next = 0;
+    split_parts(cube, of_parts, page, [&](int number) -> const QuadraticBound<d>& {
+      return is_vague(number) ? own[next++] : bound;
+    });
+  }
+
+  /// @param bound_of what to go on with, asked for one crossed part after the other
+  template <class BoundOf>
+  void split_parts(const Cube& cube, const BoundOfParts<d>& of_parts, Page<d>& page, BoundOf bound_of) {
+    for (int number = 0; number < kParts; ++number) {
       const Cube part = cube.part(number);
-      if (!set_decided(part, of_parts.side(number), page))
-        split_bricks(part, bound, sharp(bound.error, of_parts.slope(number)), page);
+      if (!set_decided(part, of_parts.side(number), page)) split_bricks(part, bound_of(number), page);
     }
   }
 
@@ -181,37 +221,47 @@ class Digitizer {
     return {h_ * points.lo.template cast<double>(), h_ * points.hi.template cast<double>()};
   }
 
-  /// Decides the points of a block, halving it where a bound over the whole leaves too many open.
-  void refine(const LatticeBox<d>& block, const QuadraticBound<d>& bound, Decided<d>& result) {
-    const Decided<d> decided = decide(block, bound, h_);
-    int axis;
-    const int longest = block.extent().maxCoeff(&axis);
-    if (decided.open.count() > kMostOpen &&
-        !sharp(bound.error, bound.gradient(real(block).center()).template lpNorm<Eigen::Infinity>())) {
-      LatticeBox<d> lower = block, upper = block;
-      lower.hi[axis] = block.lo[axis] + longest / 2 - 1;
-      upper.lo[axis] = lower.hi[axis] + 1;
-      refine(lower, this->bound(lower), result);
-      refine(upper, this->bound(upper), result);
-      return;
+  /// Decides the points of a brick, by eight bounds where one over the whole leaves too many open.
+  Decided<d> decide_brick(const LatticeBox<d>& brick, const QuadraticBound<d>& bound) {
+    Decided<d> result = decide(brick, bound, h_);
+    if (result.open.count() <= kMostOpen ||
+        sharp(bound.error, bound.gradient(real(brick).center()).template lpNorm<Eigen::Infinity>()))
+      return result;
+    std::array<LatticeBox<d>, 8> blocks;
+    for (int number = 0; number < 8; ++number) blocks[std::size_t(number)] = eighth(brick, number);
+    const Bounds own = bound_each(blocks);
+    result = {};
+    for (std::size_t number = 0; number < 8; ++number) {
+      const Decided<d> of_block = decide(blocks[number], own[number], h_);
+      for (std::size_t i = 0; i < 8; ++i) {
+        result.inside.words[i] |= of_block.inside.words[i];
+        result.open.words[i] |= of_block.open.words[i];
+      }
     }
-    for (std::size_t i = 0; i < 8; ++i) {
-      result.inside.words[i] |= decided.inside.words[i];
-      result.open.words[i] |= decided.open.words[i];
+    return result;
+  }
+
+  /// A block of 8 x 8 or 4 x 4 x 4 points.
+  static LatticeBox<d> eighth(const LatticeBox<d>& brick, int number) {
+    const int side_length = d == 2 ? 8 : 4;
+    LatticeBox<d> result = brick;
+    for (int k = 0; k < d; ++k) {
+      const int along = d == 2 ? (k == 0 ? number : 0) : (number >> k) & 1;
+      result.lo[k] += along * side_length;
+      result.hi[k] = result.lo[k] + side_length - 1;
     }
+    return result;
   }
 
   /// Computes the membership of the points left open.
   void sample(std::vector<Brick<d>>& bricks) {
-    for (std::size_t first = 0; first < open_points_.size(); first += kBatch) {
-      const std::size_t count = std::min(kBatch, open_points_.size() - first);
-      const std::uint64_t inside = region_.inside({open_points_.data() + first, count});
-      for (std::size_t i = 0; i < count; ++i) {
-        const auto [brick, bit] = open_bits_[first + i];
-        bricks[brick].words[std::size_t(bit) >> 6] |= ((inside >> i) & 1) << (bit & 63);
-      }
+    const std::uint64_t inside = region_.inside({open_points_.data(), open_});
+    for (std::size_t i = 0; i < open_; ++i) {
+      const auto [brick, bit] = open_bits_[i];
+      bricks[brick].words[std::size_t(bit) >> 6] |= ((inside >> i) & 1) << (bit & 63);
     }
-    work.points += std::int64_t(open_points_.size());
+    work.points += std::int64_t(open_);
+    open_ = 0;
   }
 
   struct OpenBit {
@@ -221,8 +271,10 @@ class Digitizer {
 
   const Region<d>& region_;
   double h_;
-  std::vector<RealPoint<d>> open_points_;
-  std::vector<OpenBit> open_bits_;  // of the open points
+  // Points that wait for sample().
+  std::size_t open_ = 0;
+  std::array<RealPoint<d>, kBatch> open_points_;
+  std::array<OpenBit, kBatch> open_bits_;
 };
 
 /// The last page of the lower half of pages lo to hi: the last one of a book where there are several books, since full
