@@ -62,13 +62,15 @@ struct Stretch {
   }
 };
 
+// What follows is inlined by force: each spel needs two planes extruded, each side of a source brick a box.
+
 /// The points of a plane p_axis = 0, again for every p_axis of a stretch.
 template <int axis, int d>
 Counts<d> extruded(const Counts<d>& plane, const Stretch& along) {
   return {plane.n * along.n};
 }
 template <int axis, int d>
-Moments<d> extruded(const Moments<d>& plane, const Stretch& along) {
+[[gnu::always_inline]] inline Moments<d> extruded(const Moments<d>& plane, const Stretch& along) {
   Moments<d> result;
   result.n = plane.n * along.n;
   for (int i = 0, pair = 0; i < d; ++i) {
@@ -82,7 +84,7 @@ Moments<d> extruded(const Moments<d>& plane, const Stretch& along) {
   return result;
 }
 
-/// Adds all points of a box. Inlined by force: listing the sides of source bricks is full of it.
+/// Adds all points of a box.
 template <class Sum, int d>
 [[gnu::always_inline]] inline void add_box(Sum& sum, const LatticePoint<d>& first,
                                            const LatticePoint<d>& extent) {
