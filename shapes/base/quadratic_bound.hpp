@@ -157,7 +157,8 @@ class BoundOfIntersection {
     const RealPoint<d> centre = box_.center(), far = box_.min().cwiseAbs().cwiseMax(box_.max().cwiseAbs());
     const double value = normal.dot(centre) - offset,
                  rounding = 1e-14 * (normal.cwiseAbs().dot(far) + std::abs(offset));
-    if (value + normal.cwiseAbs().dot(box_.sizes() / 2) < -10 * rounding) return;  // as most are
+    const double margin = 10 * rounding + QuadraticBound<d>::underflow(far.sum());
+    if (value + normal.cwiseAbs().dot(box_.sizes() / 2) < -margin) return;  // as most are
     QuadraticBound<d> bound;
     bound.centre = centre;
     bound.value = value;

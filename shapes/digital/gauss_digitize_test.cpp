@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "shapes/analytic/convex_polytope.hpp"
 #include "shapes/analytic/implicit_shape.hpp"
 #include "shapes/analytic/testing_catalogue.hpp"
 #include "shapes/digital/boundary.hpp"
@@ -196,6 +197,28 @@ TEST(DigitizationExtremes, EqualsSampling) {
   check(disk("(1e-160*x)^2+(1e-160*y)^2-1e-120", 1.1e100), {1e98});
   check(disk("(1e150*x)^2+(1e150*y)^2-1e-24", 1.1e-162), {1e-164});
   check(*make_shape<2>("flower:phase=1e15"), {0.05});
+}
+
+/// Faces through lattice points, where lengths have but a few bits left.
+TEST(DigitizationExtremes, EqualsSamplingOfPolytopesAsSmallAsDoublesGet) {
+  RandomStream random{31};
+  for (int trial = 0; trial < 60; ++trial) {
+    const double h = std::exp2(-1030 - 40 * random.uniform());
+    std::vector<ConvexPolytope<3>::Face> faces;
+    for (int k = 0; k < 3; ++k)
+      for (const double sign : {-1.0, 1.0}) faces.push_back({sign * RealPoint<3>::Unit(k), 10 * h});
+    for (int i = 0; i < 4; ++i) {
+      RealPoint<3> normal(1 + random.below(3), random.below(4), -double(random.below(4)));
+      normal.normalize();
+      double offset = 0;
+      for (int k = 0; k < 3; ++k) offset += normal[k] * (h * (double(random.below(17)) - 8));
+      faces.push_back({normal, std::abs(offset)});
+    }
+    const RealPoint<3> corner = RealPoint<3>::Constant(10 * h);
+    const ConvexPolytope<3> polytope(RealPoint<3>::Zero(), faces, {-corner, corner});
+    const auto set = gauss_digitize<3>(polytope, {h});
+    EXPECT_EQ(differences<3>(set, polytope, {h}, set.domain()), 0) << "h = " << h;
+  }
 }
 
 TEST(DigitizationErrors, AStepThatIsNotOneOrTooFine) {
