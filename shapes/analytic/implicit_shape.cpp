@@ -80,9 +80,10 @@ void ImplicitShape<d>::local_bound_each(std::span<const RealBox<d>> boxes,
 template <int d>
 QuadraticBound<d> ImplicitShape<d>::bound_by(const TaylorModel<d>& model, const RealBox<d>& box) const {
   QuadraticBound<d> bound = bound_of(model, box);
-  // Over large boxes the range of a sum of squares may decide what its Taylor expansion cannot.
+  // Over large boxes the range of a sum of squares may decide what its Taylor expansion cannot; so, too, where the model
+  // is not a number.
   constexpr double kVague = 0.1;
-  if (!(model.error <= kVague * model.sloping())) {  // nor may it, where numbers overflow
+  if (!(model.error <= kVague * model.sloping())) {
     const Side side = side_of(natural_range(box));
     if (side != Side::crossing) bound = QuadraticBound<d>::constant(side);
   }

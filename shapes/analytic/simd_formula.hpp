@@ -8,8 +8,8 @@
 
 namespace gridstep {
 
-/// A formula at many places at once, by the widest vector instructions that the processor has: what the formula itself
-/// gives place by place, bit for bit.
+/// A formula at many places at once, by the widest vector instructions that the processor has: equal to what the
+/// formula itself gives place by place.
 
 /// Where the value is at most 0: bit i belongs to points[i].
 /// @param points at most 64
@@ -17,6 +17,7 @@ template <int d>
 std::uint64_t at_most_zero(const Formula& formula, std::span<const RealPoint<d>> points);
 
 /// The models over some boxes: formula(TaylorModel<d>::variables(box)) of each.
+/// @param models as many as there are boxes
 template <int d>
 void models_over(const Formula& formula, std::span<const RealBox<d>> boxes, std::span<TaylorModel<d>> models);
 

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <vector>
 
+#include "shapes/base/contracts.hpp"
 #include "shapes/base/random.hpp"
 #include "shapes/base/region.hpp"
 #include "shapes/base/units.hpp"
@@ -71,6 +72,7 @@ class PlacedRegion final : public Region<d> {
   }
   /// The functions are turned with the region, so that a rotation costs no tightness to second order.
   void bound_each(std::span<const RealBox<d>> boxes, std::span<QuadraticBound<d>> bounds) const override {
+    expects(boxes.size() <= Region<d>::kMostBoxes, "at most 8 boxes");
     std::array<RealBox<d>, Region<d>::kMostBoxes> moved;
     for (std::size_t i = 0; i < boxes.size(); ++i) {
       if (rotated_)
@@ -92,6 +94,7 @@ class PlacedRegion final : public Region<d> {
   }
   /// At Placement::to_shape() of the points, bit for bit.
   std::uint64_t inside(std::span<const RealPoint<d>> points) const override {
+    expects(points.size() <= 64, "at most 64 points");
     std::array<RealPoint<d>, 64> moved;
     for (std::size_t i = 0; i < points.size(); ++i) {
       const RealPoint<d> q = points[i] - shift_;

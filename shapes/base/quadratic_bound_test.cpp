@@ -160,5 +160,33 @@ TEST(QuadraticBound, KnowsTheSlopesInTheMiddleOfParts) {
   }
 }
 
+/// Half-spaces whose planes are a few units of the last place beyond the farthest corner of a box, or before it.
+TEST(BoundOfIntersection, SaysInsideOnlyWhereEveryComputedPointIs) {
+  RandomStream random{24};
+  int wrong = 0, inside = 0;
+  for (int trial = 0; trial < 200000; ++trial) {
+    const RealPoint<3> normal =
+        RealPoint<3>(symmetric(random), symmetric(random), symmetric(random)).normalized();
+    const double scale = std::exp2(60 * symmetric(random)), width = scale * std::exp2(-50 * random.uniform());
+    RealPoint<3> lo, hi, farthest;
+    for (int k = 0; k < 3; ++k) {
+      lo[k] = scale * symmetric(random);
+      hi[k] = lo[k] + width * random.uniform();
+      farthest[k] = normal[k] > 0 ? hi[k] : lo[k];
+    }
+    double height = 0;
+    for (int k = 0; k < 3; ++k) height += normal[k] * farthest[k];
+    const double offset = height + std::exp2(-56 + 18 * random.uniform()) * scale * symmetric(random);
+    const RealBox<3> box(lo, hi);
+    BoundOfIntersection<3> bound(box);
+    bound.add_half_space(normal, offset);
+    if (bound.bound().side(box) != Side::inside) continue;
+    ++inside;
+    wrong += height > offset;
+  }
+  EXPECT_EQ(wrong, 0);
+  EXPECT_GT(inside, 1000) << "bounds of no use";
+}
+
 }  // namespace
 }  // namespace gridstep

@@ -21,6 +21,7 @@ class Region {
   /// What is known of inside() over each of some boxes. Digitization calls for O(h^-(d-1)) points and boxes where the
   /// error shrinks at least with the square of the box; small enough boxes may stay undecided.
   /// @param boxes at most kMostBoxes
+  /// @param bounds as many
   virtual void bound_each(std::span<const RealBox<d>> boxes, std::span<QuadraticBound<d>> bounds) const = 0;
   static constexpr std::size_t kMostBoxes = 8;
 

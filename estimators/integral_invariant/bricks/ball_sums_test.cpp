@@ -261,43 +261,53 @@ TEST(BrickSums, HaveNoLimitThatStudiesWouldMeet) {
 }
 
 /// The points of a ball with first <= x <= last, offsets taken from the spel.
-Moments3 slab_of_ball(int R, double centre, int first, int last) {
-  Moments3 sum;
-  for (int z = -R; z <= R; ++z)
-    for (int y = -R; y <= R; ++y) {
-      const int rest = R * R - y * y - z * z;
+template <int d>
+MomentSums<d, std::int64_t> slab_of_ball(int R, double centre, int first, int last) {
+  MomentSums<d, std::int64_t> sum;
+  const int reach = d == 3 ? R : 0;
+  for (std::int64_t z = -reach; z <= reach; ++z)
+    for (std::int64_t y = -R; y <= R; ++y) {
+      const auto rest = std::int64_t(R) * R - y * y - z * z;
       if (rest < 0) continue;
-      const int begin = std::max(first, int(std::ceil(centre - std::sqrt(rest)))),
-                end = std::min(last, int(std::floor(centre + std::sqrt(rest))));
+      const double half = std::sqrt(double(rest));
+      const int begin = std::max(first, int(std::ceil(centre - half))),
+                end = std::min(last, int(std::floor(centre + half)));
       std::int64_t n = 0, x1 = 0, x2 = 0;
       for (std::int64_t x = begin; x <= end; ++x) {
         ++n;
         x1 += x;
         x2 += x * x;
       }
-      const Moments3 row{n, {x1, y * n, z * n}, {x2, y * x1, z * x1, y * y * n, y * z * n, z * z * n}};
-      sum.merge(row, 1);
+      if constexpr (d == 2)
+        sum.merge({n, {x1, y * n}, {x2, y * x1, y * y * n}}, 1);
+      else
+        sum.merge({n, {x1, y * n, z * n}, {x2, y * x1, z * x1, y * y * n, y * z * n, z * z * n}}, 1);
     }
   return sum;
 }
 
-TEST(BrickSums, AreThoseOfSlabsForHugeBalls) {
-  // Sides that are full, most of them in several parts: those of one side, and rows from end to end.
-  constexpr int kPages = 12, kSide = 64, R = 330;
-  const LatticePoint<3> spel(380, 385, 391);
-  SpelsByBrick<3> spels;
-  SpelsByBrick<3>::Memo memo;
+/// Sides that are full, most of them in several parts: those of one side, and rows from end to end.
+template <int d>
+void expect_slabs(int R, const LatticePoint<d>& spel) {
+  constexpr int kPages = 12, kSide = DigitalSet<d>::kPageSide * Brick<d>::extent(0);
+  SpelsByBrick<d> spels;
+  typename SpelsByBrick<d>::Memo memo;
   spels.insert(spel, memo);
   spels.number();
   for (const int half_axis : {-1, 0}) {
-    const BallSums<3, Moments3> balls({R}, half_axis);
+    const BallSums<d, MomentSums<d, std::int64_t>> balls({double(R)}, half_axis);
     for (const auto& [first, last] : {std::pair(6, kPages - 1), std::pair(0, 5), std::pair(0, kPages - 1)}) {
-      const Moments3 expected = slab_of_ball(R, half_axis == 0 ? 0.5 : 0, first * kSide - spel[0],
-                                             (last + 1) * kSide - 1 - spel[0]);
-      EXPECT_TRUE(balls.eval(full_pages<3>(kPages, first, last), spels).front() == expected)
+      const auto expected = slab_of_ball<d>(R, half_axis == 0 ? 0.5 : 0, first * kSide - spel[0],
+                                            (last + 1) * kSide - 1 - spel[0]);
+      EXPECT_TRUE(balls.eval(full_pages<d>(kPages, first, last), spels).front() == expected)
           << "half axis " << half_axis << ", pages " << first << " to " << last;
     }
   }
+}
+
+TEST(BrickSums, AreThoseOfSlabsForHugeBalls) {
+  expect_slabs<2>(2800, {3050, 3081});
+  expect_slabs<3>(330, {380, 385, 391});
 }
 
 TEST(SpelsByBrick, MergesWhatOverlapsInTheOrderInWhichItWasSeen) {

@@ -62,7 +62,7 @@ struct Stretch {
   }
 };
 
-// What follows is inlined by force: each spel needs two planes extruded, each side of a source brick a box.
+// Planes and boxes are inlined by force: each spel needs two planes extruded, each side of a source brick a box.
 
 /// The points of a plane p_axis = 0, again for every p_axis of a stretch.
 template <int axis, int d>

@@ -24,10 +24,14 @@ struct Target {
 
   template <int d, class Sum>
   CutSums<d, Sum> cut_sums() const {
-    if constexpr (std::is_same_v<Sum, Counts<2>>) return count_2d;
-    if constexpr (std::is_same_v<Sum, Moments<2>>) return moments_2d;
-    if constexpr (std::is_same_v<Sum, Counts<3>>) return count_3d;
-    if constexpr (std::is_same_v<Sum, Moments<3>>) return moments_3d;
+    if constexpr (std::is_same_v<Sum, Counts<2>>)
+      return count_2d;
+    else if constexpr (std::is_same_v<Sum, Moments<2>>)
+      return moments_2d;
+    else if constexpr (std::is_same_v<Sum, Counts<3>>)
+      return count_3d;
+    else
+      return moments_3d;
   }
 };
 
